@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/Result.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <vector>

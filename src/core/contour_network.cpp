@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Contour_network.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <map>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+Point Contour_network::position(const Triangle_surface& surface, int vertex) const {
+  if (!is_crossing(vertex)) return surface.points[vertex];
+  const Edge_crossing& c = crossing(vertex);
+  const Point &p = surface.points[surface.source(c.halfedge)], &q = surface.points[surface.target(c.halfedge)];
+  return p + c.t * (q - p);
+}
+
+std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order, int seed) {
+  const int level = order.rank[seed];
+  std::vector<Traced_contour> loops;
+  int spoke = closed.outgoing[seed];
+  do {
+    int exit = Triangle_surface::next(spoke); // the link edge, counterclockwise as seen from the seed
+    if (order.rank[closed.source(exit)] < level && level < order.rank[closed.target(exit)]) {
+      Traced_contour loop;
+      loop.seed = seed;
+      for (;;) {
+        loop.halfedges.push_back(exit);
+        const int entry = closed.opposite[exit], apex = closed.target(Triangle_surface::next(entry));
+        if (apex == seed) break;
+        exit = order.rank[apex] > level ? Triangle_surface::next(entry) : Triangle_surface::previous(entry);
+      }
+      loops.push_back(std::move(loop));
+    }
+    spoke = closed.rotate_ccw(spoke);
+  } while (spoke != closed.outgoing[seed]);
+  return loops;
+}
+
+Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold, int halfedge) {
+  Traced_contour loop;
+  loop.threshold = threshold;
+  int exit = halfedge;
+  do {
+    loop.halfedges.push_back(exit);
+    const int entry = closed.opposite[exit], apex = closed.target(Triangle_surface::next(entry));
+    exit = order.rank[apex] > threshold ? Triangle_surface::next(entry) : Triangle_surface::previous(entry);
+  } while (exit != halfedge);
+  return loop;
+}
+
+namespace {
+
+struct Pending_crossing {
+  int edge;       // representative halfedge
+  int key;        // order of the contours: twice the rank, or odd for thresholds
+  int contour;    // index into the traced contours
+  int position;   // index into its halfedges
+  bool ascending; // the representative halfedge runs from the lower to the higher end
+};
+
+// Spreads increasing wishes in (0, 1) so that neighbours, and the ends, keep `gap`.
+void spread(std::vector<double>& t) {
+  const int k = int(t.size());
+  const double gap = std::min(0.03, 1.0 / (k + 2));
+  for (int i = 0; i < k; ++i) t[i] = std::max(t[i], i == 0 ? gap : t[i - 1] + gap);
+  for (int i = k - 1; i >= 0; --i) t[i] = std::min(t[i], i == k - 1 ? 1 - gap : t[i + 1] - gap);
+}
+
+double contour_value(const Traced_contour& contour, const Vertex_order& order, const std::vector<double>& values) {
+  if (contour.seed >= 0) return values[contour.seed];
+  const int below = order.by_rank[contour.threshold], above = order.by_rank[contour.threshold + 1];
+  return 0.5 * (values[below] + values[above]);
+}
+
+// The value's position between the ends of an edge, guarded: after a cleanup neighbouring values may be equal.
+double wish(double value, double low, double high) {
+  if (!(high > low)) return 0.5;
+  return std::min(1.0, std::max(0.0, (value - low) / (high - low)));
+}
+
+} // namespace
+
+Contour_network build_network(const Triangle_surface& surface, const Vertex_order& order,
+                              const std::vector<double>& values, const std::vector<Traced_contour>& contours,
+                              const std::vector<int>& saddles, const std::vector<int>& multiplicity) {
+  Contour_network network;
+  network.surface_vertices = surface.number_of_vertices();
+
+  std::vector<Pending_crossing> pending;
+  for (int c = 0; c < int(contours.size()); ++c) {
+    const Traced_contour& contour = contours[c];
+    const int key = contour.seed >= 0 ? 2 * order.rank[contour.seed] : 2 * contour.threshold + 1;
+    for (int i = 0; i < int(contour.halfedges.size()); ++i) {
+      const int h = contour.halfedges[i], e = surface.edge(h);
+      pending.push_back({e, key, c, i, e == h});
+    }
+  }
+  std::sort(pending.begin(), pending.end(), [](const Pending_crossing& a, const Pending_crossing& b) {
+    if (a.edge != b.edge) return a.edge < b.edge;
+    return a.ascending ? a.key < b.key : b.key < a.key;
+  });
+
+  std::vector<std::vector<int>> vertex_of(contours.size());
+  for (std::size_t c = 0; c < contours.size(); ++c) vertex_of[c].resize(contours[c].halfedges.size());
+  std::vector<double> t;
+  for (std::size_t begin = 0, end; begin < pending.size(); begin = end) {
+    const int e = pending[begin].edge;
+    const double from = values[surface.source(e)], to = values[surface.target(e)];
+    t.clear();
+    for (end = begin; end < pending.size() && pending[end].edge == e; ++end) {
+      const double value = contour_value(contours[pending[end].contour], order, values);
+      t.push_back(pending[end].ascending ? wish(value, from, to) : 1 - wish(value, to, from));
+    }
+    spread(t);
+    for (std::size_t i = begin; i < end; ++i) {
+      vertex_of[pending[i].contour][pending[i].position] = network.surface_vertices + int(network.crossings.size());
+      network.crossings.push_back({e, t[i - begin]});
+    }
+  }
+
+  std::map<int, int> saddle_node;
+  for (std::size_t i = 0; i < saddles.size(); ++i) {
+    saddle_node[saddles[i]] = int(network.nodes.size());
+    network.nodes.push_back({saddles[i], Node_kind::saddle, multiplicity[i]});
+  }
+  for (std::size_t c = 0; c < contours.size(); ++c) {
+    const Traced_contour& contour = contours[c];
+    Contour_edge edge;
+    edge.value = contour_value(contour, order, values);
+    if (contour.seed >= 0) {
+      if (const auto found = saddle_node.find(contour.seed); found != saddle_node.end()) {
+        edge.from = found->second;
+      } else {
+        edge.from = int(network.nodes.size());
+        network.nodes.push_back({contour.seed, Node_kind::regular, 0});
+      }
+      edge.vertices.push_back(contour.seed);
+    } else {
+      edge.from = int(network.nodes.size());
+      network.nodes.push_back({vertex_of[c][0], Node_kind::regular, 0});
+    }
+    for (std::size_t i = 0; i < contour.halfedges.size(); ++i) {
+      edge.vertices.push_back(vertex_of[c][i]);
+      if (contour.seed >= 0 || i > 0) edge.faces.push_back(contour.halfedges[i] / 3);
+    }
+    const int last = contour.halfedges.back();
+    edge.faces.push_back(surface.opposite[last] / 3);
+    edge.vertices.push_back(edge.vertices.front());
+    edge.to = edge.from;
+    network.edges.push_back(std::move(edge));
+  }
+  return network;
+}
+
+void add_boundary_contour(const Triangle_surface& surface, const std::vector<int>& loop, bool is_maximum, double value,
+                          Contour_network& network) {
+  Contour_edge edge;
+  edge.value = value;
+  for (int h : loop) edge.vertices.push_back(surface.source(h));
+  edge.vertices.push_back(edge.vertices.front());
+  edge.faces.assign(loop.size(), -1);
+  // The face is on the left of the loop. On a maximum it must be on the right, so the contour runs the other way.
+  if (is_maximum) std::reverse(edge.vertices.begin(), edge.vertices.end());
+  edge.from = edge.to = int(network.nodes.size());
+  network.nodes.push_back({edge.vertices.front(), Node_kind::boundary, 0});
+  network.edges.push_back(std::move(edge));
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
