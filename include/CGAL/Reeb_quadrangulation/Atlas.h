@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_ATLAS_H
+#define CGAL_REEB_QUADRANGULATION_ATLAS_H
+
+#include <CGAL/Reeb_quadrangulation/Embedding.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+enum class Chart_kind : signed char {
+  annulus, ///< one LOW walk, one HIGH walk
+  disc     ///< one walk around one extremum
+};
+
+/// A contour edge as a walk passes it.
+struct Walk_edge {
+  int edge = -1;       ///< contour edge
+  bool forward = true; ///< in its direction, seen in the walk's direction (false only on one pass of a ridge)
+  int begin = 0;       ///< index in `Walk::vertices` where it begins
+};
+
+/// A boundary of a chart as a closed list of its local vertices, beginning at a node. Both walks of an annulus run
+/// "east", in the direction of their contours: the chart is on the left of a LOW walk and on the right of a HIGH walk.
+struct Walk {
+  Side side = Side::low;
+  std::vector<int> vertices;    ///< vertex i + 1 follows vertex i, the first follows the last
+  std::vector<Walk_edge> edges; ///< in order; `edges[0].begin == 0`
+};
+
+/// One arc of the Reeb graph: a piece of the embedded surface without contours in its interior, as a mesh of its own.
+/// A contour vertex has one local vertex for each of the chart's visits, so a pinched walk is an ordinary polygon here.
+struct Chart {
+  Chart_kind kind = Chart_kind::annulus;
+  Triangle_surface mesh;
+  std::vector<int> vertex_origin; ///< vertex of the embedding, or -1 for a vertex that split a chord
+  std::vector<int> face_origin;   ///< face of the original surface
+  std::vector<Walk> walks;        ///< LOW then HIGH, or the only one
+  int extremum = -1;              ///< the local vertex of a disc's extremum
+
+  const Walk& walk(Side side) const { return walks.size() > 1 && side == Side::high ? walks[1] : walks[0]; }
+};
+
+/// The charts, ordered by their smallest face.
+struct Atlas {
+  std::vector<Chart> charts;
+  std::vector<int> chart_of_face;                ///< of the embedding
+  std::vector<std::array<int, 2>> charts_of_edge; ///< per contour edge: left and right chart; -1 outside the surface
+};
+
+/// The Reeb graph of the field that the contours belong to: an arc for each chart, a node for each contour (a connected
+/// part of the network) and each extremum. Regular vertices of an arc are the interior vertices of its chart.
+struct Reeb_graph {
+  struct Arc {
+    int low, high; ///< nodes
+  };
+  std::vector<Arc> arcs;            ///< parallel to `Atlas::charts`
+  std::vector<int> contour_of_edge; ///< node of each contour edge
+  std::vector<int> extremum;        ///< per node: embedded vertex of the extremum, or -1 for a contour
+  int number_of_nodes() const { return int(extremum.size()); }
+  /// Number of independent cycles; equals the genus if every saddle is simple.
+  int loops() const;
+};
+
+/// Floods the faces between contours and boundaries, O(F), and checks each region: an annulus with one LOW and one HIGH
+/// walk, or a disc with one walk and exactly one vertex of `extrema` inside. Fails with `internal_error`, naming the chart.
+Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network, const std::vector<int>& extrema);
+
+Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_ATLAS_H

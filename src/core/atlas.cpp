@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Atlas.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+// Colours faces by the regions between walls; regions are numbered by their smallest face.
+std::vector<std::vector<int>> flood_regions(const Embedding& embedding, std::vector<int>& region_of_face) {
+  const Triangle_surface& s = embedding.surface;
+  std::vector<std::vector<int>> regions;
+  region_of_face.assign(s.number_of_faces(), -1);
+  for (int first = 0; first < s.number_of_faces(); ++first) {
+    if (region_of_face[first] >= 0) continue;
+    const int region = int(regions.size());
+    std::vector<int> faces{first};
+    region_of_face[first] = region;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+        const int o = s.opposite[h];
+        if (o < 0 || embedding.is_wall(h) || region_of_face[o / 3] >= 0) continue;
+        region_of_face[o / 3] = region;
+        faces.push_back(o / 3);
+      }
+    std::sort(faces.begin(), faces.end());
+    regions.push_back(std::move(faces));
+  }
+  return regions;
+}
+
+// Cuts one region out of the embedded surface. The scratch arrays are shared by all regions, since they are disjoint.
+class Chart_builder {
+public:
+  Chart_builder(const Embedding& embedding, const Contour_network& network, const std::vector<int>& extrema)
+      : m_embedding(embedding), m_network(network), m_local_face(embedding.surface.number_of_faces(), -1),
+        m_local_vertex(embedding.surface.number_of_vertices(), -1),
+        m_on_wall(embedding.surface.number_of_vertices(), 0), m_is_extremum(m_on_wall.size(), 0) {
+    const Triangle_surface& s = embedding.surface;
+    for (int h = 0; h < s.number_of_halfedges(); ++h)
+      if (is_border(h)) m_on_wall[s.source(h)] = m_on_wall[s.target(h)] = 1;
+    for (int v : extrema) m_is_extremum[v] = 1;
+  }
+
+  Result<Chart> build(const std::vector<int>& faces, int index) {
+    m_index = index;
+    m_chart = Chart();
+    copy_faces(faces);
+    if (Result<void> walked = trace_walks(faces); !walked) return walked.error();
+    number_interior_vertices(faces);
+    if (Result<void> valid = classify(); !valid) return valid.error();
+    split_chords();
+    renew_outgoing();
+    return std::move(m_chart);
+  }
+
+private:
+  bool is_border(int h) const { return m_embedding.surface.opposite[h] < 0 || m_embedding.is_wall(h); }
+  Error bad(const std::string& what) const {
+    return make_error(Error_code::internal_error, "a region between contours " + what, Element_kind::chart, m_index);
+  }
+
+  void copy_faces(const std::vector<int>& faces) {
+    const Triangle_surface& s = m_embedding.surface;
+    for (int i = 0; i < int(faces.size()); ++i) m_local_face[faces[i]] = i;
+    Triangle_surface& mesh = m_chart.mesh;
+    mesh.triangles.assign(faces.size(), {-1, -1, -1});
+    mesh.opposite.assign(3 * faces.size(), -1);
+    m_chart.face_origin.resize(faces.size());
+    for (int i = 0; i < int(faces.size()); ++i) {
+      m_chart.face_origin[i] = m_embedding.base_face[faces[i]];
+      for (int k = 0; k < 3; ++k) {
+        const int h = 3 * faces[i] + k;
+        if (is_border(h)) continue;
+        const int o = s.opposite[h];
+        mesh.opposite[3 * i + k] = 3 * m_local_face[o / 3] + o % 3;
+      }
+    }
+  }
+
+  int add_vertex(int origin, const Point& point) {
+    m_chart.vertex_origin.push_back(origin);
+    m_chart.mesh.points.push_back(point);
+    return m_chart.mesh.number_of_vertices() - 1;
+  }
+
+  // Follows the border with the region on the left. Turning around the target of a border halfedge inside the region
+  // until the next border halfedge enumerates exactly the corners of one visit: they share one local vertex.
+  Result<void> trace_walks(const std::vector<int>& faces) {
+    const Triangle_surface& s = m_embedding.surface;
+    std::vector<char> seen(3 * faces.size(), 0);
+    for (int f : faces)
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        if (!is_border(h) || seen[local(h)]) continue;
+        std::vector<int> halfedges;
+        for (int g = h; !seen[local(g)];) {
+          seen[local(g)] = 1;
+          halfedges.push_back(g);
+          const int vertex = add_vertex(s.target(g), s.points[s.target(g)]);
+          for (g = Triangle_surface::next(g);; g = Triangle_surface::next(s.opposite[g])) {
+            corner(g) = vertex;
+            if (is_border(g)) break;
+          }
+        }
+        if (Result<void> walked = add_walk(halfedges); !walked) return walked;
+      }
+    return {};
+  }
+  int local(int h) const { return 3 * m_local_face[h / 3] + h % 3; }
+  int& corner(int h) { return m_chart.mesh.triangles[m_local_face[h / 3]][h % 3]; }
+
+  struct Step {
+    int vertex; // local, where the step begins
+    Wall wall;
+  };
+
+  Result<void> add_walk(const std::vector<int>& halfedges) {
+    std::vector<Step> steps;
+    for (int h : halfedges) {
+      const int wall = m_embedding.wall_of[h];
+      if (wall < 0) return bad("ends at a boundary that is not a contour");
+      steps.push_back({corner(h), m_embedding.walls[wall]});
+    }
+    Walk walk;
+    const auto side = [&](const Wall& w) {
+      const Contour_edge& e = m_network.edges[w.edge];
+      return w.forward ? e.left : e.right;
+    };
+    walk.side = side(steps[0].wall);
+    for (const Step& step : steps)
+      if (side(step.wall) != walk.side) return bad("has a boundary that is both upper and lower");
+    if (walk.side == Side::high) reverse(steps);
+    if (!rotate_to_node(steps)) return bad("has a boundary without a node");
+    for (int i = 0; i < int(steps.size()); ++i) {
+      walk.vertices.push_back(steps[i].vertex);
+      const Wall& w = steps[i].wall;
+      const int last = int(m_network.edges[w.edge].faces.size()) - 1;
+      if (w.segment == (w.forward ? 0 : last)) walk.edges.push_back({w.edge, w.forward, i});
+    }
+    m_chart.walks.push_back(std::move(walk));
+    return {};
+  }
+
+  // A step begins at its vertex, so in the reverse order each step takes the vertex where it ended.
+  static void reverse(std::vector<Step>& steps) {
+    const int n = int(steps.size());
+    std::vector<Step> reversed;
+    for (int i = n - 1; i >= 0; --i) {
+      reversed.push_back({steps[(i + 1) % n].vertex, steps[i].wall});
+      reversed.back().wall.forward = !reversed.back().wall.forward;
+    }
+    steps = std::move(reversed);
+  }
+
+  // Begins at the node whose contour edge has the smallest index.
+  bool rotate_to_node(std::vector<Step>& steps) const {
+    int best = -1;
+    for (int i = 0; i < int(steps.size()); ++i) {
+      const Wall& w = steps[i].wall;
+      const int last = int(m_network.edges[w.edge].faces.size()) - 1;
+      if (w.segment == (w.forward ? 0 : last) && (best < 0 || w.edge < steps[best].wall.edge)) best = i;
+    }
+    if (best < 0) return false;
+    std::rotate(steps.begin(), steps.begin() + best, steps.end());
+    return true;
+  }
+
+  void number_interior_vertices(const std::vector<int>& faces) {
+    const Triangle_surface& s = m_embedding.surface;
+    for (int f : faces)
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const int v = s.source(h);
+        if (m_on_wall[v]) continue;
+        if (m_local_vertex[v] < 0) {
+          m_local_vertex[v] = add_vertex(v, s.points[v]);
+          if (m_is_extremum[v]) m_extrema.push_back(m_local_vertex[v]);
+        }
+        corner(h) = m_local_vertex[v];
+      }
+  }
+
+  Result<void> classify() {
+    const Triangle_surface& mesh = m_chart.mesh;
+    int edges = 0;
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h) edges += mesh.opposite[h] < 0 || h < mesh.opposite[h];
+    const int chi = mesh.number_of_vertices() - edges + mesh.number_of_faces();
+    std::vector<Walk>& walks = m_chart.walks;
+    const std::vector<int> extrema = std::move(m_extrema);
+    m_extrema.clear();
+    if (chi == 0 && walks.size() == 2) {
+      if (!extrema.empty()) return bad("with two boundaries has an extremum");
+      if (walks[0].side == walks[1].side) return bad("has two boundaries on the same side");
+      if (walks[0].side == Side::high) std::swap(walks[0], walks[1]);
+      m_chart.kind = Chart_kind::annulus;
+      return {};
+    }
+    if (chi == 1 && walks.size() == 1 && extrema.size() == 1) {
+      m_chart.kind = Chart_kind::disc;
+      m_chart.extremum = extrema[0];
+      return {};
+    }
+    return bad("is neither an annulus nor a disc with one extremum: Euler characteristic " + std::to_string(chi) + ", " +
+               std::to_string(walks.size()) + " boundaries, " + std::to_string(extrema.size()) + " extrema");
+  }
+
+  // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:
+  // it is split in the middle. Splitting adds no new such edge, since the new vertex is inside.
+  void split_chords() {
+    Triangle_surface& mesh = m_chart.mesh;
+    std::vector<signed char> walk_of(mesh.number_of_vertices(), -1);
+    for (std::size_t w = 0; w < m_chart.walks.size(); ++w)
+      for (int v : m_chart.walks[w].vertices) walk_of[v] = static_cast<signed char>(w);
+    const int n = mesh.number_of_halfedges();
+    for (int h = 0; h < n; ++h) {
+      if (mesh.opposite[h] < h) continue;
+      const int a = mesh.source(h), b = mesh.target(h);
+      if (walk_of[a] < 0 || walk_of[a] != walk_of[b]) continue;
+      split_edge(h);
+      walk_of.push_back(-1);
+    }
+  }
+
+  void split_edge(int h) {
+    Triangle_surface& mesh = m_chart.mesh;
+    const int g = mesh.opposite[h], a = mesh.source(h), b = mesh.target(h);
+    const int m = add_vertex(-1, 0.5 * (mesh.points[a] + mesh.points[b]));
+    const int h_far = cut_face(h, m), g_far = cut_face(g, m); // the new halfedges m -> b and m -> a
+    pair(h, g_far);
+    pair(g, h_far);
+  }
+
+  // Shortens halfedge h = a -> b of face (a, b, c) to a -> m and adds the face (m, b, c); returns its halfedge m -> b.
+  int cut_face(int h, int m) {
+    Triangle_surface& mesh = m_chart.mesh;
+    const int next = Triangle_surface::next(h), b = mesh.source(next), c = mesh.target(next);
+    const int far = mesh.number_of_halfedges();
+    mesh.triangles.push_back({m, b, c});
+    m_chart.face_origin.push_back(m_chart.face_origin[h / 3]);
+    mesh.opposite.insert(mesh.opposite.end(), {-1, -1, -1});
+    if (mesh.opposite[next] >= 0) pair(far + 1, mesh.opposite[next]);
+    mesh.triangles[h / 3][next % 3] = m;
+    pair(next, far + 2);
+    return far;
+  }
+  void pair(int h, int g) {
+    m_chart.mesh.opposite[h] = g;
+    m_chart.mesh.opposite[g] = h;
+  }
+
+  void renew_outgoing() {
+    Triangle_surface& mesh = m_chart.mesh;
+    mesh.outgoing.assign(mesh.number_of_vertices(), -1);
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
+      int& out = mesh.outgoing[mesh.source(h)];
+      if (out < 0 || mesh.opposite[h] < 0) out = h;
+    }
+  }
+
+  const Embedding& m_embedding;
+  const Contour_network& m_network;
+  std::vector<int> m_local_face, m_local_vertex;
+  std::vector<char> m_on_wall, m_is_extremum;
+  std::vector<int> m_extrema;
+  Chart m_chart;
+  int m_index = -1;
+};
+
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+} // namespace
+
+Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
+                          const std::vector<int>& extrema) {
+  Atlas atlas;
+  atlas.charts_of_edge.assign(network.edges.size(), {-1, -1});
+  const std::vector<std::vector<int>> regions = flood_regions(embedding, atlas.chart_of_face);
+  for (int h = 0; h < embedding.surface.number_of_halfedges(); ++h)
+    if (const int wall = embedding.wall_of[h]; wall >= 0)
+      atlas.charts_of_edge[embedding.walls[wall].edge][embedding.walls[wall].forward ? 0 : 1] =
+          atlas.chart_of_face[h / 3];
+  Chart_builder builder(embedding, network, extrema);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    Result<Chart> chart = builder.build(regions[r], int(r));
+    if (!chart) return chart.error();
+    atlas.charts.push_back(std::move(*chart));
+  }
+  return atlas;
+}
+
+int Reeb_graph::loops() const {
+  std::vector<int> parent(number_of_nodes());
+  std::iota(parent.begin(), parent.end(), 0);
+  int cycles = 0;
+  for (const Arc& arc : arcs) {
+    const int a = find_root(parent, arc.low), b = find_root(parent, arc.high);
+    if (a == b) ++cycles;
+    parent[a] = b;
+  }
+  return cycles;
+}
+
+Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network) {
+  std::vector<int> parent(network.nodes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const Contour_edge& e : network.edges) parent[find_root(parent, e.from)] = find_root(parent, e.to);
+  Reeb_graph graph;
+  std::vector<int> contour_of_node(network.nodes.size(), -1);
+  for (const Contour_edge& e : network.edges) {
+    int& contour = contour_of_node[find_root(parent, e.from)];
+    if (contour < 0) {
+      contour = graph.number_of_nodes();
+      graph.extremum.push_back(-1);
+    }
+    graph.contour_of_edge.push_back(contour);
+  }
+  for (const Chart& chart : atlas.charts) {
+    const int first = graph.contour_of_edge[chart.walks[0].edges[0].edge];
+    if (chart.kind == Chart_kind::annulus) {
+      graph.arcs.push_back({first, graph.contour_of_edge[chart.walks[1].edges[0].edge]});
+      continue;
+    }
+    const int pole = graph.number_of_nodes();
+    graph.extremum.push_back(chart.vertex_origin[chart.extremum]);
+    if (chart.walks[0].side == Side::low)
+      graph.arcs.push_back({first, pole});
+    else
+      graph.arcs.push_back({pole, first});
+  }
+  return graph;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
