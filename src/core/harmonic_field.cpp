@@ -273,7 +273,8 @@ Harmonic_field::solve_with_local_clamping(const std::vector<int>& wanted_extrema
                                           double high) {
   Implementation& impl = *m_implementation;
   CGAL_precondition(0 < low && low <= high);
-  for (const int v : wanted_extrema) CGAL_precondition(0 <= v && v < impl.surface->number_of_vertices());
+  CGAL_precondition(std::all_of(wanted_extrema.begin(), wanted_extrema.end(),
+                                [&](int v) { return 0 <= v && v < impl.surface->number_of_vertices(); }));
   Edge_weights used = impl.weights;
   Result<std::vector<double>> solved = impl.solve(used);
   if (!solved) return solved.error();

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by ./quickstart and ./check: the Debian packages that we need and how to install what is missing.
+build_packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev
+  libsuitesparse-dev libpng-dev nlohmann-json3-dev"
+test_packages="catch2 clang-format doxygen"
+
+# install_packages NAME...: installs those that are missing; says nothing when there are none.
+install_packages() {
+  local missing="" package
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return 0
+  local as_root=""
+  [ "$(id -u)" -eq 0 ] || as_root="sudo"
+  echo "Installing:$missing"
+  $as_root apt-get update -qq || return 1
+  # shellcheck disable=SC2086
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_CLI_COMMAND_H
+#define REEBQUAD_CLI_COMMAND_H
+
+#include "Exit_code.h"
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/positional_options.hpp>
+#include <boost/program_options/variables_map.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace reebquad {
+
+/// The arguments after the name of the subcommand.
+using Arguments = std::vector<std::string>;
+
+/// A subcommand: a row of the table in main.cpp.
+struct Command {
+  const char* name;
+  const char* summary; ///< one line of `reebquad help`
+  Exit_code (*execute)(const Arguments&);
+};
+
+/// What the user typed cannot be meant; main() prints the sentence and returns `Exit_code::usage`.
+struct Usage_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The options and positional arguments of one subcommand.
+struct Command_line {
+  explicit Command_line(std::string usage_) : usage(std::move(usage_)) {}
+
+  /// Parses; prints the help and returns false if `--help` is among the arguments. Throws `Usage_error`.
+  bool parse(const Arguments& arguments);
+  bool has(const char* option) const { return values.count(option) > 0; }
+  std::string text(const char* option) const { return values[option].as<std::string>(); }
+
+  std::string usage; ///< "run FILE -o QUADS [options]"
+  boost::program_options::options_description options;
+  boost::program_options::options_description hidden; ///< the positional arguments' names
+  boost::program_options::positional_options_description positional;
+  boost::program_options::variables_map values;
+};
+
+Exit_code execute_version(const Arguments& arguments);
+
+} // namespace reebquad
+
+#endif // REEBQUAD_CLI_COMMAND_H

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Command.h"
+
+#include <boost/program_options/cmdline.hpp>
+#include <boost/program_options/parsers.hpp>
+
+#include <iostream>
+
+namespace reebquad {
+
+namespace po = boost::program_options;
+
+bool Command_line::parse(const Arguments& arguments) {
+  options.add_options()("help,h", "print this help");
+  po::options_description all;
+  all.add(options).add(hidden);
+  try {
+    // Abbreviated options are not accepted: a later option must not change what an old script means.
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(arguments).options(all).positional(positional).style(style).run(),
+              values);
+    if (values.count("help") > 0) {
+      std::cout << "Usage: reebquad " << usage << "\n\n" << options;
+      return false;
+    }
+    po::notify(values);
+  } catch (const po::error& error) {
+    throw Usage_error(std::string(error.what()) + "\nUsage: reebquad " + usage);
+  }
+  return true;
+}
+
+} // namespace reebquad

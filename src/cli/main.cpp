@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dispatcher: finds the subcommand, runs it, and turns what escapes from it into a sentence and an exit code.
+#include "Command.h"
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <new>
+
+namespace {
+
+using namespace reebquad;
+
+Exit_code execute_help(const Arguments&);
+
+constexpr std::array commands{
+    Command{"version", "print the version of reebquad and of its libraries", execute_version},
+    Command{"help", "print this list", execute_help},
+};
+
+Exit_code execute_help(const Arguments&) {
+  std::cout << "reebquad turns a triangle surface into a certified quad mesh.\n\n"
+               "Usage: reebquad COMMAND [arguments]   (reebquad COMMAND --help tells the options)\n\n";
+  for (const Command& command : commands) std::printf("  %-8s %s\n", command.name, command.summary);
+  return Exit_code::success;
+}
+
+Exit_code dispatch(const Arguments& arguments) {
+  const std::string name = arguments.empty() ? "" : arguments.front();
+  if (name == "--help" || name == "-h") return execute_help({});
+  if (name == "--version") return execute_version({});
+  for (const Command& command : commands) {
+    if (name == command.name) return command.execute({arguments.begin() + 1, arguments.end()});
+  }
+  throw Usage_error(name.empty() ? "no command is given; 'reebquad help' lists them"
+                                 : "there is no command '" + name + "'; 'reebquad help' lists them");
+}
+
+Exit_code fail(const std::string& sentence, Exit_code code) {
+  std::cerr << "reebquad: " << sentence << '\n';
+  return code;
+}
+
+Exit_code guarded_dispatch(const Arguments& arguments) {
+  try {
+    return dispatch(arguments);
+  } catch (const Usage_error& error) {
+    return fail(error.what(), Exit_code::usage);
+  } catch (const std::bad_alloc&) {
+    return fail("memory ran out", Exit_code::other_failure);
+  } catch (const std::exception& error) {
+    return fail(error.what(), Exit_code::other_failure);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return static_cast<int>(guarded_dispatch({argv + 1, argv + argc}));
+}
