@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
+#include <CGAL/Reeb_quadrangulation/laplacian.h>
+
+#include "tiny_surfaces.h"
+
+#include <Eigen/Dense>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+// A fixed sequence of numbers in [0, 1): xorshift64*.
+class Sequence {
+public:
+  explicit Sequence(std::uint64_t seed) : m_state(seed * 2685821657736338717ull + 1) {}
+  double next() {
+    m_state ^= m_state >> 12;
+    m_state ^= m_state << 25;
+    m_state ^= m_state >> 27;
+    return double((m_state * 2685821657736338717ull) >> 11) / 9007199254740992.0;
+  }
+  int below(int n) { return int(next() * n); }
+
+private:
+  std::uint64_t m_state;
+};
+
+Symmetric_matrix sparse(const Eigen::MatrixXd& a) {
+  Symmetric_matrix m;
+  m.size = int(a.rows());
+  m.column_begin.push_back(0);
+  for (int j = 0; j < m.size; ++j) {
+    for (int i = j; i < m.size; ++i)
+      if (i == j || a(i, j) != 0) {
+        m.row.push_back(i);
+        m.value.push_back(a(i, j));
+      }
+    m.column_begin.push_back(int(m.row.size()));
+  }
+  return m;
+}
+
+struct Named_matrix {
+  std::string name;
+  Eigen::MatrixXd matrix;
+};
+
+// Diagonally dominant, so positive definite, with off-diagonal entries wherever `has_entry` says.
+template <class Has_entry> Eigen::MatrixXd dominant(int n, Sequence& random, Has_entry has_entry) {
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+  for (int j = 0; j < n; ++j)
+    for (int i = j + 1; i < n; ++i)
+      if (has_entry(i, j)) a(i, j) = a(j, i) = random.next() - 0.7;
+  for (int j = 0; j < n; ++j) a(j, j) = 0.1 + random.next() + a.col(j).cwiseAbs().sum();
+  return a;
+}
+
+std::vector<Named_matrix> definite_matrices() {
+  Sequence random(1);
+  std::vector<Named_matrix> all;
+  all.push_back({"empty", Eigen::MatrixXd(0, 0)});
+  all.push_back({"one number", Eigen::MatrixXd::Constant(1, 1, 4.0)});
+  all.push_back({"diagonal", dominant(23, random, [](int, int) { return false; })});
+  for (const int n : {2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 33, 64, 101})
+    all.push_back({"dense " + std::to_string(n), dominant(n, random, [](int, int) { return true; })});
+  all.push_back({"arrow to the first", dominant(60, random, [](int, int j) { return j == 0; })});
+  all.push_back({"arrow to the last", dominant(60, random, [](int i, int) { return i == 59; })});
+  all.push_back({"tridiagonal", dominant(90, random, [](int i, int j) { return i == j + 1; })});
+  all.push_back({"blocks apart", dominant(80, random, [](int i, int j) { return i / 9 == j / 9; })});
+  all.push_back({"grid", dominant(144, random,
+                                  [](int i, int j) { return i == j + 12 || (i == j + 1 && i % 12 != 0); })});
+  for (const double density : {0.01, 0.03, 0.1, 0.4})
+    for (int k = 0; k < 5; ++k)
+      all.push_back({"random, density " + std::to_string(density),
+                     dominant(30 + 25 * k, random, [&](int, int) { return random.next() < density; })});
+  return all;
+}
+
+Eigen::VectorXd random_vector(int n, Sequence& random) {
+  Eigen::VectorXd b(n);
+  for (int i = 0; i < n; ++i) b[i] = 2 * random.next() - 1;
+  return b;
+}
+
+bool same_bits(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.size() == b.size() &&
+         (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+// The Laplacian of a torus with one vertex held: large enough for several fronts and tasks.
+Symmetric_matrix torus_matrix(int m, int n) {
+  const Triangle_surface s = tiny::torus(m, n);
+  std::vector<char> fixed(s.points.size(), 0);
+  fixed[5] = 1;
+  return assemble(s, clamped_cotangent_weights(s), fixed).matrix;
+}
+
+} // namespace
+
+TEST_CASE("the solution is that of a dense factorization, whatever the matrix's shape") {
+  Sequence random(2);
+  for (const Named_matrix& named : definite_matrices()) {
+    INFO(named.name);
+    const Symmetric_matrix m = sparse(named.matrix);
+    Multifrontal_solver solver;
+    REQUIRE(bool(solver.factorize(m)));
+    const Eigen::VectorXd b = random_vector(m.size, random);
+    Eigen::VectorXd x = b;
+    REQUIRE(bool(solver.solve(x.data())));
+    CHECK(relative_residual(m, x.data(), b.data()) < 1e-14);
+    if (m.size == 0) continue;
+    const Eigen::VectorXd expected = named.matrix.ldlt().solve(b);
+    CHECK((x - expected).norm() <= 1e-11 * expected.norm());
+  }
+}
+
+TEST_CASE("right-hand sides solved together have the bits of those solved alone") {
+  Sequence random(3);
+  const Symmetric_matrix m = torus_matrix(30, 21);
+  Multifrontal_solver solver;
+  REQUIRE(bool(solver.factorize(m)));
+  for (const int sides : {2, 3, 4, 5, 9}) {
+    Eigen::MatrixXd together(m.size, sides);
+    for (int q = 0; q < sides; ++q) together.col(q) = random_vector(m.size, random);
+    Eigen::MatrixXd alone = together;
+    REQUIRE(bool(solver.solve(together.data(), sides)));
+    for (int q = 0; q < sides; ++q) REQUIRE(bool(solver.solve(alone.col(q).data())));
+    CHECK(same_bits(together, alone));
+  }
+}
+
+TEST_CASE("threads, repetition and a new solver leave the bits as they are") {
+  Sequence random(4);
+  for (const Symmetric_matrix& m : {torus_matrix(9, 7), torus_matrix(120, 70)}) {
+    const Eigen::VectorXd b = random_vector(m.size, random);
+    Multifrontal_solver first;
+    REQUIRE(bool(first.factorize(m)));
+    Eigen::VectorXd expected = b;
+    REQUIRE(bool(first.solve(expected.data())));
+    for (const int threads : {2, 1, 3, 2}) {
+      Multifrontal_solver fresh;
+      for (Multifrontal_solver* solver : {&first, &fresh}) {
+        solver->set_threads(threads);
+        Eigen::VectorXd x = b;
+        REQUIRE(bool(solver->factorize(m)));
+        REQUIRE(bool(solver->solve(x.data())));
+        CHECK(same_bits(x, expected));
+      }
+    }
+  }
+}
+
+TEST_CASE("an incremental factorization has the bits of one from scratch and redoes less") {
+  Sequence random(5);
+  Symmetric_matrix m = torus_matrix(90, 60);
+  Multifrontal_solver incremental;
+  incremental.set_incremental(true);
+  REQUIRE(bool(incremental.factorize(m)));
+  CHECK(incremental.eliminated_fronts() == incremental.number_of_fronts());
+  REQUIRE(bool(incremental.factorize(m)));
+  CHECK(incremental.eliminated_fronts() == 0);
+  for (int round = 0; round < 20; ++round) {
+    incremental.set_threads(1 + round % 2);
+    for (int k = 0; k < 3; ++k) {
+      const int j = random.below(m.size);
+      m.value[m.column_begin[j]] += random.next();
+      if (m.column_begin[j] + 1 < m.column_begin[j + 1]) m.value[m.column_begin[j] + 1] *= random.next();
+    }
+    REQUIRE(bool(incremental.factorize(m)));
+    CHECK(incremental.eliminated_fronts() > 0);
+    CHECK(incremental.eliminated_fronts() < incremental.number_of_fronts() / 2);
+    Multifrontal_solver scratch;
+    REQUIRE(bool(scratch.factorize(m)));
+    Eigen::VectorXd x = random_vector(m.size, random), y = x;
+    REQUIRE(bool(incremental.solve(x.data())));
+    REQUIRE(bool(scratch.solve(y.data())));
+    CHECK(same_bits(x, y));
+  }
+}
+
+TEST_CASE("after a refusal an incremental solver is as good as a new one") {
+  Symmetric_matrix m = torus_matrix(20, 20);
+  Multifrontal_solver solver;
+  solver.set_incremental(true);
+  REQUIRE(bool(solver.factorize(m)));
+  const double diagonal = m.value[m.column_begin[77]];
+  m.value[m.column_begin[77]] = -1;
+  const auto refused = solver.factorize(m);
+  REQUIRE(!refused);
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(m.size), y = x;
+  CHECK(solver.solve(x.data()).error().code == Error_code::solver_failure);
+  m.value[m.column_begin[77]] = diagonal;
+  Multifrontal_solver fresh;
+  REQUIRE(bool(solver.factorize(m)));
+  REQUIRE(bool(fresh.factorize(m)));
+  REQUIRE(bool(solver.solve(x.data())));
+  REQUIRE(bool(fresh.solve(y.data())));
+  CHECK(same_bits(x, y));
+}
+
+TEST_CASE("a matrix that is not positive definite is refused by a row") {
+  Sequence random(6);
+  for (const Named_matrix& named : definite_matrices()) {
+    INFO(named.name);
+    if (named.matrix.rows() == 0) continue;
+    const int row = random.below(int(named.matrix.rows()));
+    for (const double value : {-1.0, 0.0, std::nan(""), double(INFINITY)}) {
+      Eigen::MatrixXd a = named.matrix;
+      a(row, row) = value;
+      const auto refused = Multifrontal_solver().factorize(sparse(a));
+      REQUIRE(!refused);
+      CHECK(refused.error().code == Error_code::solver_failure);
+      CHECK(refused.error().index >= 0);
+      CHECK(refused.error().index < a.rows());
+      if (named.name == "diagonal") CHECK(refused.error().index == row);
+    }
+  }
+}
+
+TEST_CASE("a closed surface's Laplacian without a constraint is singular and refused") {
+  for (const Triangle_surface& s :
+       {tiny::tetrahedron(), tiny::octahedron(), tiny::torus(7, 5), tiny::torus(80, 50)})
+    CHECK(!Multifrontal_solver().factorize(assemble(s, cotangent_weights(s)).matrix));
+}
+
+TEST_CASE("malformed matrices are refused before anything is computed") {
+  Multifrontal_solver solver;
+  CHECK(!solver.factorize({2, {0, 1}, {0}, {1}}));                // arrays of the wrong length
+  CHECK(!solver.factorize({2, {0, 1, 2}, {0, 0}, {1, 1}}));       // a column without its diagonal
+  CHECK(!solver.factorize({2, {0, 2, 3}, {0, 2, 1}, {1, 1, 1}})); // a row beyond the size
+  CHECK(!solver.factorize({3, {0, 3, 4, 5}, {0, 2, 1, 1, 2}, {1, 1, 1, 1, 1}})); // rows out of order
+  CHECK(!solver.solve(nullptr));
+}
