@@ -154,8 +154,8 @@ double area(const Triangle_surface& surface) {
 Metric_graph decimate(const Triangle_surface& surface, int nodes) {
   CGAL_precondition(nodes > 0);
   Metric_graph graph;
-  // Index-order Poisson-disc sampling packs one centre into about 0.8 squared radii.
-  const double radius = std::sqrt(area(surface) / (0.8 * nodes));
+  // On fine meshes this sampling leaves one centre for about 1.5 squared radii (measured).
+  const double radius = std::sqrt(area(surface) / (1.5 * nodes));
   grow_patches(surface, radius, graph);
   const Edge_nodes inside = subdivide_long_edges(surface, 2 * radius, graph);
   graph.area.assign(graph.size(), 0.0);

@@ -2,6 +2,7 @@
 #include "tiny_surfaces.h"
 
 #include <CGAL/Reeb_quadrangulation/decimate.h>
+#include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
 #include <Eigen/Geometry>
@@ -41,6 +42,12 @@ Suggestion suggest(const Triangle_surface& surface, const Suggestion_options& op
 Triangle_surface moved(Triangle_surface s, const Eigen::Affine3d& motion) {
   for (Point& p : s.points) p = motion * p;
   return s;
+}
+
+Triangle_surface shape(const std::string& name, int triangles = 6000) {
+  auto result = make_shape(name, triangles);
+  REQUIRE(bool(result));
+  return *result;
 }
 
 } // namespace
@@ -168,4 +175,79 @@ TEST_CASE("the chosen places do not depend on where the surface lies in space") 
   }
   CHECK(vertices(suggest(moved(s, Eigen::Affine3d(Eigen::Scaling(1e-3))))) == places);
   CHECK(vertices(suggest(moved(s, Eigen::Affine3d(Eigen::Scaling(100.0))))) == places);
+}
+
+TEST_CASE("an ellipsoid gets its two ends, the lower a minimum and the upper a maximum") {
+  const Triangle_surface s = shape("ellipsoid");
+  const Suggestion found = suggest(s);
+  REQUIRE(found.extrema.size() == 2);
+  for (const auto& e : found.extrema) CHECK(s.points[e.vertex].z() * (e.is_maximum ? 1 : -1) > 1.97);
+}
+
+TEST_CASE("a hand gets five fingertips and the wrist's end, at every resolution") {
+  for (int triangles : {1500, 8000, 60000}) {
+    const Triangle_surface s = shape("hand", triangles);
+    const Suggestion found = suggest(s);
+    const Counts n = count(found);
+    CHECK(n.maxima == 5);
+    CHECK(n.minima == 1);
+    for (const auto& e : found.extrema)
+      if (!e.is_maximum) CHECK(s.points[e.vertex].z() < -0.9);
+  }
+}
+
+TEST_CASE("round shapes get one minimum and one maximum, far apart") {
+  for (const char* name : {"sphere", "torus"}) {
+    const Triangle_surface s = shape(name);
+    const Suggestion found = suggest(s);
+    REQUIRE(found.extrema.size() == 2);
+    const Counts n = count(found);
+    CHECK(n.minima == 1);
+    CHECK((s.points[found.extrema[0].vertex] - s.points[found.extrema[1].vertex]).norm() > 1.9);
+  }
+}
+
+TEST_CASE("a smaller persistence only adds extrema") {
+  for (const char* name : {"hand", "genus-5", "l-shape", "cube"}) {
+    const Triangle_surface s = shape(name);
+    std::set<int> larger;
+    for (double p : {0.9, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
+      Suggestion_options options;
+      options.persistence = p;
+      const Suggestion found = suggest(s, options);
+      std::set<int> chosen;
+      for (const auto& e : found.extrema)
+        if (e.prominence > 0)
+          chosen.insert(e.vertex); // the point added for want of a second one is no feature
+      CHECK(std::includes(chosen.begin(), chosen.end(), larger.begin(), larger.end()));
+      larger = chosen;
+    }
+  }
+}
+
+TEST_CASE("boundary loops keep extrema at a distance") {
+  // The hand cut open at the wrist: the opening is a constraint of its own, the fingertips stay.
+  Triangle_surface s = shape("hand", 8000);
+  const Triangle_surface whole = s;
+  s.triangles.clear();
+  for (const Triangle& t : whole.triangles)
+    if (whole.points[t[0]].z() + whole.points[t[1]].z() + whole.points[t[2]].z() > -2.4)
+      s.triangles.push_back(t);
+  s = tiny::connected(std::move(s));
+  REQUIRE(boundary_loops(s).size() == 1);
+  const Suggestion found = suggest(s);
+  CHECK(found.boundary_is_maximum == std::vector<bool>{false});
+  CHECK(found.extrema.size() == 5);
+  const double r = std::sqrt(Suggestion_options().relative_area * area(s));
+  for (const auto& e : found.extrema) {
+    CHECK(e.is_maximum);
+    CHECK(s.points[e.vertex].z() + 0.8 > r / 2);
+  }
+}
+
+TEST_CASE("a coarse mesh of a solid gets extrema that are not adjacent") {
+  const Triangle_surface s = shape("cube", 400);
+  const std::vector<int> v = vertices(suggest(s));
+  for (int h = 0; h < s.number_of_halfedges(); ++h)
+    CHECK_FALSE((std::count(v.begin(), v.end(), s.source(h)) && std::count(v.begin(), v.end(), s.target(h))));
 }

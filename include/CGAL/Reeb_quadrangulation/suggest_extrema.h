@@ -22,7 +22,7 @@ struct Suggestion_options {
   /// sources cover the surface, is `sqrt(relative_area * A)`, `A` the area of the surface; in (0, 1].
   double relative_area = 0.005;
   /// The size (in faces) of the copy on which geodesic distances are measured; at least 200.
-  int working_faces = 8000;
+  int working_faces = 5000;
 };
 
 /// One suggested extremum.
