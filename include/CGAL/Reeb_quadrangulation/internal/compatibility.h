@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one place that knows which CGAL it is compiled with: 5.5 (Debian 12) or 6.x.
+#ifndef CGAL_REEB_QUADRANGULATION_INTERNAL_COMPATIBILITY_H
+#define CGAL_REEB_QUADRANGULATION_INTERNAL_COMPATIBILITY_H
+
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace internal {
+
+/// Traits of a CGAL::AABB_tree; CGAL 6 renamed them.
+#if CGAL_VERSION_NR >= 1060000000
+template <class Kernel, class Primitive> using Aabb_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+template <class Kernel, class Primitive> using Aabb_traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+
+} // namespace internal
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_INTERNAL_COMPATIBILITY_H

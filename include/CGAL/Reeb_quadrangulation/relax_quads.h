@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_RELAX_QUADS_H
+#define CGAL_REEB_QUADRANGULATION_RELAX_QUADS_H
+
+#include <CGAL/Reeb_quadrangulation/Observer.h>
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// How `relax_quads()` works; the defaults are for meshes that come from a quad layout.
+struct Relax_options {
+  int iterations = 12;  ///< sweeps over all vertices; 0 leaves the smooth part out
+  bool untangle = true; ///< afterwards optimise around quads that are inverted or nearly so
+  int threads = 1;      ///< the result does not depend on it
+};
+
+/// What `relax_quads()` did. Scaled Jacobians as in `scaled_jacobian()`.
+struct Relax_report {
+  double worst_before = 0, worst_after = 0; ///< least scaled Jacobian
+  double mean_before = 0, mean_after = 0;
+  int inverted_before = 0, inverted_after = 0; ///< quads with a scaled Jacobian of 0 or less
+  int boundary_vertices = 0; ///< vertices that slide on a boundary loop of the input, or are held there
+  int moved_vertices = 0;    ///< vertices whose position changed
+};
+
+/// The least, over the four corners, of `N . (a x b) / (|a| |b|)`, where a arrives at and b leaves the corner
+/// and N is the normalised cross product of the quad's principal axes. 1 for a rectangle; at most 0 if the
+/// quad is inverted or has a straight or collapsed corner. Definition: the Verdict library's quality metrics,
+/// "scaled Jacobian" of a quad.
+double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const Point& p3);
+
+/// Moves the vertices of a quad mesh over the input surface so that the quads come closer to rectangles.
+///
+/// Each vertex steps towards the place where its quads would be rectangles, and is projected to the closest
+/// point of `input` whose normal agrees with the quads'. Vertices on the mesh's boundary slide on the input's
+/// boundary loops, and those nearest to a loop's corners are held there. A step is taken only if it does not
+/// make the worst quad around the vertex worse than it was, or than good enough. Then the vertices around
+/// inverted quads are optimised for their worst corners. If in the end more quads are inverted than before,
+/// the mesh is left as it was.
+///
+/// \param mesh       an oriented manifold quad mesh that lies on or near `input`
+/// \param projector  of `input`
+/// \param fixed      one entry a vertex: nonzero vertices do not move. Empty: none is fixed.
+/// \return a report, or `not_a_surface` if a quad names a vertex that does not exist or twice,
+/// `impossible_request` if
+///         `fixed` has the wrong size or an option is out of range, `cancelled` with the mesh as it was.
+/// Time linear in quads x iterations, each vertex a closest-point query. Same bytes for any number of
+/// threads.
+Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
+                                 const Surface_projector& projector, const std::vector<char>& fixed = {},
+                                 const Relax_options& options = {}, Observer* observer = nullptr);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_RELAX_QUADS_H

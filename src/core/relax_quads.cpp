@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/relax_quads.h>
+
+#include "relax_quads_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace relaxation {
+
+namespace {
+
+// Half axes of the rectangle nearest in shape to a parallelogram with half axes u, v: both keep their length
+// and turn by the same angle until they are orthogonal. A parallelogram that faces away from `outward`
+// becomes a square.
+void make_rectangle(Point& u, Point& v, const Point& outward) {
+  const double lu = u.norm(), lv = v.norm();
+  const Point a = u / lu, b = v / lv;
+  const Point plus = a + b, minus = a - b;
+  const double lp = plus.norm(), lm = minus.norm();
+  if (lu > 0 && lv > 0 && lp > 1e-6 && lm > 1e-6 && u.cross(v).dot(outward) > 0) {
+    u = lu * std::sqrt(0.5) * (plus / lp + minus / lm);
+    v = lv * std::sqrt(0.5) * (plus / lp - minus / lm);
+  } else {
+    u = 0.5 * (u + v.cross(outward));
+    v = outward.cross(u);
+  }
+}
+
+// Where vertex v would be if its quads were rectangles; small quads count for more, as their errors do.
+Point wanted_position(const State& state, int v) {
+  Point sum = Point::Zero(), around = Point::Zero();
+  double weights = 0;
+  for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
+    const int i = state.corners[k] % 4;
+    const Quad& q = state.mesh.quads[state.corners[k] / 4];
+    const std::vector<Point>& p = state.mesh.points;
+    const Point &x0 = p[q[0]], &x1 = p[q[1]], &x2 = p[q[2]], &x3 = p[q[3]];
+    const Point centre = 0.25 * (x0 + x1 + x2 + x3);
+    Point a = 0.25 * (x1 - x0 + x2 - x3), b = 0.25 * (x3 - x0 + x2 - x1);
+    make_rectangle(a, b, state.normal(v));
+    const double size = a.norm() + b.norm();
+    if (!(size > 0)) continue;
+    const double weight = 1 / (size * size);
+    sum += weight * (centre + (i == 1 || i == 2 ? a : Point(-a)) + (i >= 2 ? b : Point(-b)));
+    around += weight * 0.5 * (p[q[(i + 1) % 4]] + p[q[(i + 3) % 4]]);
+    weights += weight;
+  }
+  if (!(weights > 0)) return state.mesh.points[v];
+  return (0.85 * sum + 0.15 * around) / weights;
+}
+
+bool try_step(State& state, int v, const Point& target, double good_enough, bool lenient) {
+  const Step step = state.constrain(v, target);
+  const double before = state.worst_around(v, state.mesh.points[v]);
+  // Where quads are inverted, steps towards rectangles untangle best when nothing holds them back.
+  if (!(lenient && before <= 0) && state.worst_around(v, step.point) < std::min(before, good_enough))
+    return false;
+  state.move(v, step);
+  return true;
+}
+
+} // namespace
+
+int smooth(State& state, double damping, double good_enough, bool lenient) {
+  std::vector<char> accepted(state.number_of_vertices(), 0);
+  for (const std::vector<int>& colour : state.colours)
+    parallel_for(int(colour.size()), state.threads, [&](int i) {
+      const int v = colour[i];
+      if (state.sites[v].freedom == Freedom::fixed) return;
+      const Point from = state.mesh.points[v], way = damping * (wanted_position(state, v) - from);
+      accepted[v] = try_step(state, v, from + way, good_enough, lenient) ||
+                    try_step(state, v, from + 0.4 * way, good_enough, lenient);
+    });
+  return int(std::count(accepted.begin(), accepted.end(), 1));
+}
+
+} // namespace relaxation
+
+namespace {
+
+using relaxation::State;
+
+Result<void> check(const Quad_mesh& mesh, const std::vector<char>& fixed, const Relax_options& options) {
+  for (int q = 0; q < int(mesh.quads.size()); ++q) {
+    const Quad& quad = mesh.quads[q];
+    for (int i = 0; i < 4; ++i) {
+      if (quad[i] < 0 || quad[i] >= int(mesh.points.size()))
+        return make_error(Error_code::not_a_surface, "a quad names a vertex that does not exist",
+                          Element_kind::face, q);
+      for (int j = 0; j < i; ++j)
+        if (quad[i] == quad[j])
+          return make_error(Error_code::not_a_surface, "a quad names a vertex twice", Element_kind::face, q);
+    }
+  }
+  if (!fixed.empty() && fixed.size() != mesh.points.size())
+    return make_error(Error_code::impossible_request, "the list of fixed vertices has " +
+                                                          std::to_string(fixed.size()) + " entries for " +
+                                                          std::to_string(mesh.points.size()) + " vertices");
+  if (options.iterations < 0)
+    return make_error(Error_code::impossible_request, "the number of iterations is negative");
+  if (options.threads < 1)
+    return make_error(Error_code::impossible_request, "the number of threads is not positive");
+  return {};
+}
+
+struct Quality {
+  double worst = 1, mean = 0;
+  int inverted = 0;
+};
+
+Quality measure(const Quad_mesh& mesh) {
+  Quality result;
+  for (const Quad& q : mesh.quads) {
+    const double s =
+        scaled_jacobian(mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]);
+    result.worst = std::min(result.worst, s);
+    result.mean += s;
+    result.inverted += s <= 0;
+  }
+  if (!mesh.quads.empty()) result.mean /= double(mesh.quads.size());
+  return result;
+}
+
+} // namespace
+
+Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
+                                 const Surface_projector& projector, const std::vector<char>& fixed,
+                                 const Relax_options& options, Observer* observer) {
+  if (Result<void> checked = check(mesh, fixed, options); !checked) return checked.error();
+  const std::vector<Point> original = mesh.points;
+  const Quality before = measure(mesh);
+  Relax_report report;
+  const auto cancelled = [&] {
+    if (!observer || !observer->cancelled()) return false;
+    mesh.points = original;
+    return true;
+  };
+
+  State state(mesh, input, projector, fixed, options.threads);
+  report.boundary_vertices = relaxation::bind_boundary(state);
+  for (int i = 0; i < options.iterations; ++i) {
+    if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
+    if (observer) observer->progress("relax", double(i) / options.iterations);
+    // The first sweeps may pass through worse quads than the last ones.
+    const bool early = i < options.iterations / 2;
+    if (relaxation::smooth(state, 0.9, early ? 0.2 : 0.5, early) == 0) break;
+  }
+  if (options.untangle) relaxation::untangle(state, 0.2, 20, observer);
+  if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
+
+  Quality after = measure(mesh);
+  if (after.inverted > before.inverted) {
+    mesh.points = original;
+    after = before;
+  }
+  report.worst_before = before.worst;
+  report.mean_before = before.mean;
+  report.inverted_before = before.inverted;
+  report.worst_after = after.worst;
+  report.mean_after = after.mean;
+  report.inverted_after = after.inverted;
+  for (std::size_t v = 0; v < original.size(); ++v) report.moved_vertices += original[v] != mesh.points[v];
+  return report;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

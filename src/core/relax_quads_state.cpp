@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "relax_quads_state.h"
+
+#include <CGAL/Reeb_quadrangulation/feature_edges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
+  const std::array<Point, 4> edge = {p1 - p0, p2 - p1, p3 - p2, p0 - p3};
+  const Point n = (edge[0] - edge[2]).cross(edge[1] - edge[3]);
+  const double area = n.norm();
+  if (!(area > 0)) return 0;
+  double length[4], worst = 1;
+  for (int i = 0; i < 4; ++i) length[i] = edge[i].norm();
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 3) % 4;
+    const double scale = length[i] * length[j] * area;
+    worst = scale > 0 ? std::min(worst, n.dot(edge[j].cross(edge[i])) / scale) : std::min(worst, 0.0);
+  }
+  return worst;
+}
+
+namespace relaxation {
+
+namespace {
+
+// The coordinate t in [0, 1] of the point of segment ab nearest to p.
+double nearest_on_segment(const Point& p, const Point& a, const Point& b) {
+  const Point d = b - a;
+  const double square = d.squaredNorm();
+  return square > 0 ? std::clamp((p - a).dot(d) / square, 0.0, 1.0) : 0;
+}
+
+// The mesh's boundary loops as vertices, quads on the left.
+std::vector<std::vector<int>> loops_of(const Quad_mesh& mesh) {
+  std::vector<std::array<int, 3>> edges; // {smaller, larger, direction}
+  for (const Quad& q : mesh.quads)
+    for (int i = 0; i < 4; ++i) {
+      const int a = q[i], b = q[(i + 1) % 4];
+      edges.push_back({std::min(a, b), std::max(a, b), a > b});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<int> next(mesh.points.size(), -1);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool first = i > 0 && edges[i - 1][0] == edges[i][0] && edges[i - 1][1] == edges[i][1];
+    const bool last =
+        i + 1 < edges.size() && edges[i + 1][0] == edges[i][0] && edges[i + 1][1] == edges[i][1];
+    if (!first && !last) next[edges[i][edges[i][2]]] = edges[i][1 - edges[i][2]];
+  }
+  std::vector<std::vector<int>> loops;
+  for (int v = 0; v < int(next.size()); ++v) {
+    if (next[v] < 0) continue;
+    std::vector<int> loop;
+    for (int w = v; w >= 0 && next[w] >= 0;) {
+      loop.push_back(w);
+      const int following = next[w];
+      next[w] = -1;
+      w = following;
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+// Parameters of a loop of vertices on a closed curve, increasing and within one turn. Where the nearest
+// points are not in order, the vertices are placed by their chord lengths instead.
+std::vector<double> parameters_on(const Curve& curve, const std::vector<int>& loop,
+                                  const std::vector<Point>& points) {
+  const double total = curve.total();
+  const int n = int(loop.size());
+  std::vector<double> s(n);
+  s[0] = curve.nearest(points[loop[0]], 0, total);
+  bool ordered = true;
+  for (int i = 1; i < n; ++i) {
+    s[i] = curve.nearest(points[loop[i]], 0, total);
+    while (s[i] < s[0]) s[i] += total;
+    ordered = ordered && s[i] > s[i - 1];
+  }
+  if (ordered && s[n - 1] < s[0] + total) return s;
+  double length = 0;
+  std::vector<double> at(n + 1, 0);
+  for (int i = 0; i < n; ++i) at[i + 1] = length += (points[loop[(i + 1) % n]] - points[loop[i]]).norm();
+  for (int i = 0; i < n; ++i) s[i] = s[0] + total * (length > 0 ? at[i] / length : double(i) / n);
+  return s;
+}
+
+} // namespace
+
+Curve make_curve(std::vector<Point> points, bool closed) {
+  Curve curve{std::move(points), {0}, closed};
+  for (std::size_t i = 1; i < curve.points.size(); ++i)
+    curve.length.push_back(curve.length.back() + (curve.points[i] - curve.points[i - 1]).norm());
+  return curve;
+}
+
+Point Curve::at(double s) const {
+  if (closed) s -= total() * std::floor(s / total());
+  const auto it = std::upper_bound(length.begin() + 1, length.end() - 1, s);
+  const std::size_t i = it - length.begin();
+  const double step = length[i] - length[i - 1];
+  const double t = step > 0 ? std::clamp((s - length[i - 1]) / step, 0.0, 1.0) : 0;
+  return (1 - t) * points[i - 1] + t * points[i];
+}
+
+double Curve::nearest(const Point& p, double low, double high) const {
+  const double turns = closed ? total() * std::floor(low / total()) : 0;
+  double best = std::clamp(low, low, high), best_square = (at(best) - p).squaredNorm();
+  const int segments = int(points.size()) - 1;
+  int i = int(std::upper_bound(length.begin() + 1, length.end() - 1, low - turns) - length.begin()) - 1;
+  for (double offset = turns; offset + length[i] < high;) {
+    const double t = nearest_on_segment(p, points[i], points[i + 1]);
+    const double s = std::clamp(offset + length[i] + t * (length[i + 1] - length[i]), low, high);
+    const double square = (at(s) - p).squaredNorm();
+    if (square < best_square) {
+      best = s;
+      best_square = square;
+    }
+    if (++i == segments) {
+      if (!closed) break;
+      i = 0;
+      offset += total();
+    }
+  }
+  return best;
+}
+
+State::State(Quad_mesh& m, const Triangle_surface& in, const Surface_projector& pr,
+             const std::vector<char>& fixed, int t)
+    : mesh(m), input(in), projector(pr), threads(t), sites(m.points.size()) {
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+    if (fixed[v]) sites[v].freedom = Freedom::fixed;
+  const int nv = number_of_vertices();
+  first.assign(nv + 1, 0);
+  for (const Quad& q : mesh.quads)
+    for (int v : q) ++first[v + 1];
+  for (int v = 0; v < nv; ++v) first[v + 1] += first[v];
+  corners.resize(4 * mesh.quads.size());
+  std::vector<int> end(first.begin(), first.end() - 1);
+  for (int q = 0; q < int(mesh.quads.size()); ++q)
+    for (int i = 0; i < 4; ++i) corners[end[mesh.quads[q][i]]++] = 4 * q + i;
+
+  // First-fit colouring in the order of the indices.
+  std::vector<int> colour(nv, -1), seen;
+  for (int v = 0; v < nv; ++v) {
+    if (first[v] == first[v + 1]) continue;
+    seen.assign(colours.size() + 1, 0);
+    for (int k = first[v]; k < first[v + 1]; ++k)
+      for (int w : mesh.quads[corners[k] / 4])
+        if (colour[w] >= 0) seen[colour[w]] = 1;
+    colour[v] = int(std::find(seen.begin(), seen.end(), 0) - seen.begin());
+    if (colour[v] == int(colours.size())) colours.emplace_back();
+    colours[colour[v]].push_back(v);
+  }
+
+  m_normals.assign(nv, Point::Zero());
+  place_on_surface();
+}
+
+// Breadth first, so that each vertex finds its face from a neighbour's.
+void State::place_on_surface() {
+  std::vector<int> queue;
+  std::vector<char> seen(number_of_vertices(), 0);
+  for (int start = 0; start < number_of_vertices(); ++start) {
+    if (seen[start]) continue;
+    seen[start] = 1;
+    queue.assign(1, start);
+    sites[start].face = projector.closest(mesh.points[start]).face;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const int v = queue[i];
+      const Closest_point c = projector.closest(mesh.points[v], sites[v].face);
+      sites[v].face = c.face;
+      if (sites[v].freedom != Freedom::fixed) mesh.points[v] = c.point;
+      m_normals[v] = projector.normal(c.face);
+      for (int k = first[v]; k < first[v + 1]; ++k)
+        for (int w : mesh.quads[corners[k] / 4]) {
+          if (seen[w]) continue;
+          seen[w] = 1;
+          sites[w].face = c.face;
+          queue.push_back(w);
+        }
+    }
+  }
+}
+
+Point State::quad_normal(int v) const {
+  Point sum = Point::Zero();
+  for (int k = first[v]; k < first[v + 1]; ++k) {
+    const Quad& q = mesh.quads[corners[k] / 4];
+    const Point n = (mesh.points[q[2]] - mesh.points[q[0]]).cross(mesh.points[q[3]] - mesh.points[q[1]]);
+    const double length = n.norm();
+    if (length > 0) sum += n / length;
+  }
+  const double length = sum.norm();
+  return length > 0 ? Point(sum / length) : sum;
+}
+
+double State::quality(int q, int v, const Point& p) const {
+  const Quad& quad = mesh.quads[q];
+  std::array<const Point*, 4> x;
+  Point outward = Point::Zero();
+  for (int i = 0; i < 4; ++i) {
+    x[i] = quad[i] == v ? &p : &mesh.points[quad[i]];
+    outward += m_normals[quad[i]];
+  }
+  if ((*x[2] - *x[0]).cross(*x[3] - *x[1]).dot(outward) < 0) return -1;
+  return scaled_jacobian(*x[0], *x[1], *x[2], *x[3]);
+}
+
+double State::worst_around(int v, const Point& p) const {
+  double worst = 1;
+  for (int k = first[v]; k < first[v + 1]; ++k) worst = std::min(worst, quality(corners[k] / 4, v, p));
+  return worst;
+}
+
+Step State::constrain(int v, const Point& target) const {
+  const Site& site = sites[v];
+  if (site.freedom == Freedom::fixed) return {mesh.points[v], site.face, site.parameter};
+  if (site.freedom == Freedom::curve) {
+    const Curve& curve = curves[site.curve];
+    double low = site.previous >= 0 ? sites[site.previous].parameter : 0;
+    double high = site.next >= 0 ? sites[site.next].parameter : curve.total();
+    if (curve.closed && low >= site.parameter) low -= curve.total();
+    if (curve.closed && high <= site.parameter) high += curve.total();
+    // Keep a tenth of the way to each neighbour, so that vertices on a curve never meet.
+    low += 0.1 * (site.parameter - low);
+    high -= 0.1 * (high - site.parameter);
+    const double s = curve.nearest(target, low, high);
+    return {curve.at(s), site.face, s};
+  }
+  const Closest_point c = projector.closest_nearby(target, site.face);
+  return {c.point, c.face, 0};
+}
+
+void State::move(int v, const Step& step) {
+  mesh.points[v] = step.point;
+  sites[v].parameter = step.parameter;
+  const bool on_surface = sites[v].freedom == Freedom::surface;
+  sites[v].face = on_surface ? step.face : projector.closest_nearby(step.point, step.face).face;
+  const Point n = projector.normal(sites[v].face);
+  if (!n.isZero()) m_normals[v] = n;
+}
+
+int bind_boundary(State& state) {
+  const std::vector<std::vector<int>> loops = loops_of(state.mesh);
+  if (loops.empty()) return 0;
+  const Triangle_surface& input = state.input;
+  const std::vector<int> corners = feature_edges(input, 0).corners;
+  std::vector<std::vector<double>> corner_parameters;
+  for (const std::vector<int>& loop : boundary_loops(input)) {
+    std::vector<Point> points;
+    corner_parameters.emplace_back();
+    for (int h : loop) points.push_back(input.points[input.source(h)]);
+    points.push_back(points.front());
+    state.curves.push_back(make_curve(std::move(points), true));
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (std::binary_search(corners.begin(), corners.end(), input.source(loop[i])))
+        corner_parameters.back().push_back(state.curves.back().length[i]);
+  }
+  int bound = 0;
+  for (const std::vector<int>& loop : loops) {
+    const int n = int(loop.size());
+    bound += n;
+    int best = -1;
+    double best_sum = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < int(state.curves.size()); ++c) {
+      double sum = 0;
+      for (int v : loop) {
+        const Curve& curve = state.curves[c];
+        sum += (curve.at(curve.nearest(state.mesh.points[v], 0, curve.total())) - state.mesh.points[v])
+                   .squaredNorm();
+      }
+      if (sum < best_sum) {
+        best_sum = sum;
+        best = c;
+      }
+    }
+    if (best < 0 || n < 3) {
+      for (int v : loop) state.sites[v].freedom = Freedom::fixed; // the input is closed: nothing to slide on
+      continue;
+    }
+    const Curve& curve = state.curves[best];
+    std::vector<double> s = parameters_on(curve, loop, state.mesh.points);
+    std::vector<char> held(n, 0);
+    for (double c : corner_parameters[best]) {
+      const auto gap = [&](int i) { return std::abs(std::remainder(s[i] - c, curve.total())); };
+      int nearest = 0;
+      for (int i = 1; i < n; ++i)
+        if (gap(i) < gap(nearest)) nearest = i;
+      if (held[nearest]) continue;
+      held[nearest] = 1;
+      s[nearest] -= std::remainder(s[nearest] - c, curve.total());
+    }
+    for (int i = 0; i < n; ++i) {
+      Site& site = state.sites[loop[i]];
+      site.curve = best;
+      site.parameter = s[i];
+      site.previous = loop[(i + n - 1) % n];
+      site.next = loop[(i + 1) % n];
+      if (site.freedom == Freedom::fixed) continue;
+      site.freedom = Freedom::curve;
+      state.move(loop[i], {curve.at(s[i]), site.face, s[i]});
+      if (held[i]) site.freedom = Freedom::fixed;
+    }
+  }
+  return bound;
+}
+
+} // namespace relaxation
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

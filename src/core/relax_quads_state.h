@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the phases of relax_quads() share: connectivity, constraints, and the measures of a quad.
+#ifndef REEBQUAD_CORE_RELAX_QUADS_STATE_H
+#define REEBQUAD_CORE_RELAX_QUADS_STATE_H
+
+#include <CGAL/Reeb_quadrangulation/relax_quads.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace relaxation {
+
+/// A polyline that vertices may slide on, parameterised by arc length.
+struct Curve {
+  std::vector<Point> points;  ///< closed curves repeat the first point at the end
+  std::vector<double> length; ///< from the start to each point
+  bool closed = false;
+
+  double total() const { return length.back(); }
+  Point at(double s) const;
+  /// Parameter of the point nearest to p within [low, high]; on a closed curve high may exceed total().
+  double nearest(const Point& p, double low, double high) const;
+};
+
+Curve make_curve(std::vector<Point> points, bool closed);
+
+enum class Freedom : char { surface, curve, fixed };
+
+/// Where a vertex is bound: to a place of the surface or of a curve.
+struct Site {
+  Freedom freedom = Freedom::surface;
+  int face = -1;                ///< of the input, near the vertex
+  int curve = -1;               ///< for Freedom::curve
+  double parameter = 0;         ///< on the curve; unrolled along the chain of vertices
+  int previous = -1, next = -1; ///< neighbours on the curve, or -1
+};
+
+/// A candidate position.
+struct Step {
+  Point point;
+  int face;
+  double parameter;
+};
+
+class State {
+public:
+  State(Quad_mesh& mesh, const Triangle_surface& input, const Surface_projector& projector,
+        const std::vector<char>& fixed, int threads);
+
+  Quad_mesh& mesh;
+  const Triangle_surface& input;
+  const Surface_projector& projector;
+  int threads;
+  std::vector<int> first;   ///< V + 1: range of each vertex in `corners`
+  std::vector<int> corners; ///< 4 q + i, ascending
+  std::vector<Site> sites;
+  std::vector<Curve> curves;
+  std::vector<std::vector<int>> colours; ///< vertices without a common quad
+
+  int number_of_vertices() const { return int(mesh.points.size()); }
+  /// Unit normal of the input where the vertex is bound.
+  Point normal(int v) const { return m_normals[v]; }
+  /// Sum of the normals of the quads around v, normalised.
+  Point quad_normal(int v) const;
+  /// Scaled Jacobian of quad q with vertex v at p; -1 if the quad faces away from the surface.
+  double quality(int q, int v, const Point& p) const;
+  double quality(int q) const { return quality(q, -1, Point::Zero()); }
+  /// The worst quality around v with v at p.
+  double worst_around(int v, const Point& p) const;
+  /// `target` brought back to where v may be.
+  Step constrain(int v, const Point& target) const;
+  void move(int v, const Step& step);
+
+private:
+  void place_on_surface();
+
+  std::vector<Point> m_normals;
+};
+
+/// Binds the mesh's boundary vertices to the input's boundary loops. Returns how many vertices are on the
+/// boundary.
+int bind_boundary(State& state);
+/// One sweep of steps towards rectangles. Returns the number of accepted steps.
+int smooth(State& state, double damping, double good_enough, bool lenient);
+/// Optimises the vertices around quads of quality below `wanted`.
+void untangle(State& state, double wanted, int rounds, Observer* observer);
+
+/// Runs f(i) for i in [0, n) on up to `threads` threads. f(i) must not depend on another f(j).
+template <class F> void parallel_for(int n, int threads, const F& f) {
+  constexpr int least = 200; // below this a thread costs more than it saves
+  const int parts = std::max(1, std::min(threads, n / least));
+  const auto run = [&](int part) {
+    for (int i = int(std::int64_t(n) * part / parts); i < int(std::int64_t(n) * (part + 1) / parts); ++i)
+      f(i);
+  };
+  std::vector<std::thread> helpers;
+  for (int part = 1; part < parts; ++part) helpers.emplace_back(run, part);
+  run(0);
+  for (std::thread& helper : helpers) helper.join();
+}
+
+} // namespace relaxation
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEBQUAD_CORE_RELAX_QUADS_STATE_H
