@@ -7,20 +7,13 @@ namespace Reeb_quadrangulation {
 
 const char* name(Mesh_format format) {
   switch (format) {
-  case Mesh_format::automatic:
-    return "automatic";
-  case Mesh_format::off:
-    return "OFF";
-  case Mesh_format::obj:
-    return "OBJ";
-  case Mesh_format::ply:
-    return "PLY";
-  case Mesh_format::stl:
-    return "STL";
-  case Mesh_format::vtk:
-    return "VTK";
-  case Mesh_format::glb:
-    return "GLB";
+  case Mesh_format::automatic: return "automatic";
+  case Mesh_format::off: return "OFF";
+  case Mesh_format::obj: return "OBJ";
+  case Mesh_format::ply: return "PLY";
+  case Mesh_format::stl: return "STL";
+  case Mesh_format::vtk: return "VTK";
+  case Mesh_format::glb: return "GLB";
   }
   return "";
 }

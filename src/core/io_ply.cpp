@@ -47,19 +47,15 @@ bool type_of(std::string_view word, Ply_type& type) {
 int size_of(Ply_type type) {
   switch (type) {
   case Ply_type::int8:
-  case Ply_type::uint8:
-    return 1;
+  case Ply_type::uint8: return 1;
   case Ply_type::int16:
-  case Ply_type::uint16:
-    return 2;
+  case Ply_type::uint16: return 2;
   case Ply_type::int32:
   case Ply_type::uint32:
-  case Ply_type::float32:
-    return 4;
+  case Ply_type::float32: return 4;
   case Ply_type::int64:
   case Ply_type::uint64:
-  case Ply_type::float64:
-    return 8;
+  case Ply_type::float64: return 8;
   }
   return 8;
 }
@@ -74,26 +70,16 @@ template <class T> double number_from_bits(std::uint64_t bits) {
 
 double number_of(Ply_type type, std::uint64_t bits) {
   switch (type) {
-  case Ply_type::int8:
-    return std::int8_t(bits);
-  case Ply_type::uint8:
-    return std::uint8_t(bits);
-  case Ply_type::int16:
-    return std::int16_t(bits);
-  case Ply_type::uint16:
-    return std::uint16_t(bits);
-  case Ply_type::int32:
-    return std::int32_t(bits);
-  case Ply_type::uint32:
-    return std::uint32_t(bits);
-  case Ply_type::int64:
-    return double(std::int64_t(bits));
-  case Ply_type::uint64:
-    return double(bits);
-  case Ply_type::float32:
-    return number_from_bits<float>(bits);
-  case Ply_type::float64:
-    return number_from_bits<double>(bits);
+  case Ply_type::int8: return std::int8_t(bits);
+  case Ply_type::uint8: return std::uint8_t(bits);
+  case Ply_type::int16: return std::int16_t(bits);
+  case Ply_type::uint16: return std::uint16_t(bits);
+  case Ply_type::int32: return std::int32_t(bits);
+  case Ply_type::uint32: return std::uint32_t(bits);
+  case Ply_type::int64: return double(std::int64_t(bits));
+  case Ply_type::uint64: return double(bits);
+  case Ply_type::float32: return number_from_bits<float>(bits);
+  case Ply_type::float64: return number_from_bits<double>(bits);
   }
   return 0;
 }

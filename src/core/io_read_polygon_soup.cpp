@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 
+#include "io_file_descriptor.h"
 #include "io_readers.h"
 #include "io_text_cursor.h"
 
@@ -11,7 +12,6 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -76,20 +76,6 @@ Error unreadable(const std::string& path, int error) {
   return unreadable(path, std::generic_category().message(error));
 }
 
-class File_descriptor {
-public:
-  explicit File_descriptor(int descriptor) : m_descriptor(descriptor) {}
-  File_descriptor(const File_descriptor&) = delete;
-  File_descriptor& operator=(const File_descriptor&) = delete;
-  ~File_descriptor() {
-    if (m_descriptor >= 0) ::close(m_descriptor);
-  }
-  int get() const { return m_descriptor; }
-
-private:
-  int m_descriptor;
-};
-
 /// Reads until `size` bytes are there or the file ends; the number of bytes read, or -1.
 std::int64_t read_bytes(int file, char* data, std::size_t size) {
   std::size_t done = 0;
@@ -115,18 +101,13 @@ Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh
   }
   const Mesh_format shown = format_of_content(data, size);
   switch (shown == Mesh_format::automatic ? format : shown) {
-  case Mesh_format::off:
-    return parse_off(data, size);
-  case Mesh_format::obj:
-    return parse_obj(data, size);
-  case Mesh_format::ply:
-    return parse_ply(data, size);
-  case Mesh_format::stl:
-    return parse_stl(data, size);
+  case Mesh_format::off: return parse_off(data, size);
+  case Mesh_format::obj: return parse_obj(data, size);
+  case Mesh_format::ply: return parse_ply(data, size);
+  case Mesh_format::stl: return parse_stl(data, size);
   case Mesh_format::vtk:
   case Mesh_format::glb:
-  case Mesh_format::automatic:
-    break;
+  case Mesh_format::automatic: break;
   }
   return make_error(Error_code::unsupported_format, "The content is not OFF, OBJ, PLY or STL.");
 }
@@ -134,7 +115,7 @@ Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh
 Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t maximum_bytes) {
   // Non-blocking, so that a pipe without a writer does not hang before it is refused.
   const File_descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) return unreadable(path, errno);
+  if (!file.is_open()) return unreadable(path, errno);
   struct stat status;
   if (::fstat(file.get(), &status) != 0) return unreadable(path, errno);
   if (S_ISDIR(status.st_mode)) return unreadable(path, "it is a folder");

@@ -13,26 +13,16 @@ namespace Reeb_quadrangulation {
 
 const char* name(Defect_kind kind) {
   switch (kind) {
-  case Defect_kind::non_finite_point:
-    return "non_finite_point";
-  case Defect_kind::non_manifold_edge:
-    return "non_manifold_edge";
-  case Defect_kind::non_manifold_vertex:
-    return "non_manifold_vertex";
-  case Defect_kind::inconsistent_orientation:
-    return "inconsistent_orientation";
-  case Defect_kind::non_orientable:
-    return "non_orientable";
-  case Defect_kind::boundary_loop:
-    return "boundary_loop";
-  case Defect_kind::degenerate_face:
-    return "degenerate_face";
-  case Defect_kind::duplicate_face:
-    return "duplicate_face";
-  case Defect_kind::unreferenced_point:
-    return "unreferenced_point";
-  case Defect_kind::duplicate_point:
-    return "duplicate_point";
+  case Defect_kind::non_finite_point: return "non_finite_point";
+  case Defect_kind::non_manifold_edge: return "non_manifold_edge";
+  case Defect_kind::non_manifold_vertex: return "non_manifold_vertex";
+  case Defect_kind::inconsistent_orientation: return "inconsistent_orientation";
+  case Defect_kind::non_orientable: return "non_orientable";
+  case Defect_kind::boundary_loop: return "boundary_loop";
+  case Defect_kind::degenerate_face: return "degenerate_face";
+  case Defect_kind::duplicate_face: return "duplicate_face";
+  case Defect_kind::unreferenced_point: return "unreferenced_point";
+  case Defect_kind::duplicate_point: return "duplicate_point";
   }
   return "";
 }
@@ -135,22 +125,27 @@ private:
          "face " + std::to_string(f) + what);
   }
 
-  // Faces with the same corners stand together when sorted by their sorted corners, and then by their number.
+  // Faces with the same corners stand together when sorted by their smallest corner, their size, and their sorted corners.
   void find_duplicate_faces() {
-    std::vector<int> sorted = m_soup.corner, order;
+    std::vector<int> sorted = m_soup.corner, bucket(m_soup.points.size() + 1, 0);
     for (int f = 0; f < m_soup.number_of_polygons(); ++f) {
       std::sort(sorted.begin() + m_soup.begin[f], sorted.begin() + m_soup.begin[f + 1]);
-      if (m_connects[f]) order.push_back(f);
+      if (m_connects[f]) ++bucket[sorted[m_soup.begin[f]] + 1];
     }
+    std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+    std::vector<int> order(bucket.back()), filled(bucket.begin(), bucket.end() - 1);
+    for (int f = 0; f < m_soup.number_of_polygons(); ++f)
+      if (m_connects[f]) order[filled[sorted[m_soup.begin[f]]]++] = f;
     const auto begin = [&](int f) { return sorted.begin() + m_soup.begin[f]; };
     const auto end = [&](int f) { return sorted.begin() + m_soup.begin[f + 1]; };
-    std::sort(order.begin(), order.end(), [&](int f, int g) {
-      if (*begin(f) != *begin(g)) return *begin(f) < *begin(g);
+    const auto before = [&](int f, int g) {
       if (m_soup.size_of_polygon(f) != m_soup.size_of_polygon(g))
         return m_soup.size_of_polygon(f) < m_soup.size_of_polygon(g);
       const auto where = std::mismatch(begin(f), end(f), begin(g));
       return where.first == end(f) ? f < g : *where.first < *where.second;
-    });
+    };
+    for (std::size_t v = 0; v < m_soup.points.size(); ++v)
+      std::sort(order.begin() + bucket[v], order.begin() + bucket[v + 1], before);
     std::vector<int> first_of(m_soup.number_of_polygons(), -1);
     for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
       const int f = order[first], g = order[i];

@@ -40,10 +40,12 @@ public:
                                                        " points, but no faces with three different corners.");
     say(drop_repeated_corners(), "face with a repeated corner was dropped",
         "faces with a repeated corner were dropped");
-    merge_points();
-    drop_duplicate_faces();
-    split_into_components();
-    for (int c = 0; c < m_components; ++c) build(c);
+    if (!take_whole()) {
+      merge_points();
+      drop_duplicate_faces();
+      split_into_components();
+      for (int c = 0; c < m_components; ++c) build(c);
+    }
     say_totals();
     if (!m_result.components.empty()) return std::move(m_result);
     if (m_result.refused.empty())
@@ -78,6 +80,32 @@ private:
   }
 
   int number_of_points() const { return int(m_points.size()); }
+
+  /// The short way for what nearly all files hold: one component that is a surface already. False, with nothing
+  /// changed, if it is not so.
+  bool take_whole() {
+    Mended_component whole;
+    whole.surface.points = m_points;
+    whole.surface.triangles = m_triangles;
+    Triangle_surface& surface = whole.surface;
+    if (!surface.connect() || connected_components(surface).second != 1) return false;
+    std::vector<char> on_border(m_points.size(), 0);
+    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+      if (surface.is_boundary(h)) on_border[surface.source(h)] = 1;
+    const std::vector<int> into = equal_border_points(on_border);
+    for (int v = 0; v < number_of_points(); ++v)
+      if (into[v] != v || surface.outgoing[v] < 0) return false;
+    m_components = 1;
+    m_component.assign(m_triangles.size(), 0);
+    m_refusal.assign(1, Error{});
+    look_at_points(0, m_triangles.size(), [](std::size_t i) { return i; });
+    if (m_triangles.size() == 2 && is_pillow(0, 1)) refuse_pillow(0, 0);
+    whole.point_of_vertex = m_point_of;
+    whole.face_of_triangle = m_face_of;
+    m_vertices = std::int64_t(m_points.size());
+    accept(0, std::move(whole));
+    return true;
+  }
 
   // ---- equal points ----
 
@@ -317,28 +345,31 @@ private:
 
   void build(int c) {
     const int begin = m_faces_begin[c], end = m_faces_begin[c + 1];
-    look_at_points(c);
-    if (end - begin == 2 && is_pillow(m_faces[begin], m_faces[begin + 1]))
-      refuse(c, "two triangles are glued to each other along all three edges; they enclose nothing",
-             Element_kind::face, m_face_of[m_faces[begin]]);
+    look_at_points(c, std::size_t(end - begin),
+                   [&](std::size_t i) { return std::size_t(m_faces[begin + int(i)]); });
+    if (end - begin == 2 && is_pillow(m_faces[begin], m_faces[begin + 1])) refuse_pillow(c, m_faces[begin]);
     if (!m_refusal[c].message.empty()) {
       m_result.refused.push_back(m_refusal[c]);
       return;
     }
     Mended_component component = take(c);
-    Result<void> done = finish(component);
-    if (done) {
+    if (Result<void> connected = component.surface.connect(); !connected) m_refusal[c] = connected.error();
+    accept(c, std::move(component));
+  }
+
+  /// The last steps for a component that is a connected surface, unless it was refused already.
+  void accept(int c, Mended_component component) {
+    if (m_refusal[c].message.empty())
+      if (Result<void> done = finish(component); !done) m_refusal[c] = done.error();
+    if (m_refusal[c].message.empty())
       m_result.components.push_back(std::move(component));
-      return;
-    }
-    m_refusal[c] = done.error();
-    m_result.refused.push_back(done.error());
+    else
+      m_result.refused.push_back(m_refusal[c]);
   }
 
   Result<void> finish(Mended_component& component) {
     Triangle_surface& surface = component.surface;
-    Result<void> done = surface.connect();
-    if (!done) return done;
+    Result<void> done;
     if (const Flat_face_counts counts = remove_flat_faces(component); counts.any()) {
       m_flat += counts;
       if (done = surface.connect(); !done) return done;
@@ -367,9 +398,15 @@ private:
     return s == t;
   }
 
-  void look_at_points(int c) {
-    for (int i = m_faces_begin[c]; i < m_faces_begin[c + 1]; ++i)
-      for (int v : m_triangles[m_faces[i]]) {
+  void refuse_pillow(int c, int f) {
+    refuse(c, "two triangles are glued to each other along all three edges; they enclose nothing",
+           Element_kind::face, m_face_of[f]);
+  }
+
+  /// Refuses component `c`, with the `count` triangles `face(i)`, for points that cannot be computed with.
+  template <class Face> void look_at_points(int c, std::size_t count, Face face) {
+    for (std::size_t i = 0; i < count; ++i)
+      for (int v : m_triangles[face(i)]) {
         if (!m_points[v].allFinite()) {
           refuse(c,
                  "point " + std::to_string(m_point_of[v]) + " at " + text_of(m_points[v]) + " is not finite",

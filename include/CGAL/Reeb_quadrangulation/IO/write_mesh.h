@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_IO_WRITE_MESH_H
+#define CGAL_REEB_QUADRANGULATION_IO_WRITE_MESH_H
+
+#include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
+#include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+struct Write_options {
+  Mesh_format format = Mesh_format::automatic; ///< `automatic`: by the extension of the file
+  bool ascii = false; ///< PLY and STL as text; they are binary (little endian) otherwise
+};
+
+/// The bytes of a mesh file, and what its format could not hold.
+struct Encoded_mesh {
+  std::string bytes;
+  std::vector<std::string> warnings; ///< sentences for people
+};
+
+/// Encodes a mesh as OBJ, OFF, PLY, VTK legacy (polygons kept, coordinates with the fewest digits that read back
+/// to the same double), STL or binary glTF (.glb). The last two hold triangles only, and coordinates of single
+/// precision (ascii STL: double): quads are divided at their shorter diagonal, and a warning says so.
+///
+/// Errors: `unsupported_format` for `Mesh_format::automatic`; `impossible_request` if a coordinate is not finite or
+/// beyond what the format holds. \pre every corner is an index of a point. O(size).
+Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, bool ascii = false);
+
+/// Encodes a mesh and writes it whole or not at all, see `write_file_atomically()`; the warnings of `encode_mesh()`.
+Result<std::vector<std::string>> write_mesh(const std::string& path, const Polygon_soup& mesh,
+                                            const Write_options& options = {});
+Result<std::vector<std::string>> write_mesh(const std::string& path, const Quad_mesh& mesh,
+                                            const Write_options& options = {});
+Result<std::vector<std::string>> write_mesh(const std::string& path, const Triangle_surface& surface,
+                                            const Write_options& options = {});
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_IO_WRITE_MESH_H
