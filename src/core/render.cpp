@@ -185,18 +185,10 @@ Camera camera(View view, Up_axis up) {
   Camera c;
   c.up = up_direction;
   switch (view) {
-  case View::front:
-    c.direction = -front;
-    break;
-  case View::back:
-    c.direction = front;
-    break;
-  case View::side:
-    c.direction = -side;
-    break;
-  case View::three_quarter:
-    c.direction = -(0.80 * front + 0.55 * side + 0.34 * up_direction);
-    break;
+  case View::front: c.direction = -front; break;
+  case View::back: c.direction = front; break;
+  case View::side: c.direction = -side; break;
+  case View::three_quarter: c.direction = -(0.80 * front + 0.55 * side + 0.34 * up_direction); break;
   }
   return c;
 }

@@ -34,12 +34,15 @@ float clamped(float v, float low, float high) {
 Vec lit(const Vec& base, const Vec& n, float gloss) {
   static const Vec key = Vec(-0.50f, 0.62f, 0.60f).normalized();
   static const Vec half = (key + Vec(0, 0, 1)).normalized();
-  static const Vec key_colour(1.02f, 0.99f, 0.93f), sky_colour(0.93f, 0.97f, 1.04f);
+  static const Vec fill = Vec(0.75f, -0.15f, 0.45f).normalized();
+  static const Vec key_colour(1.02f, 0.99f, 0.93f), sky_colour(0.98f, 0.99f, 1.02f),
+      fill_colour(1.0f, 0.95f, 0.90f);
   const float wrapped = clamped((n.dot(key) + 0.2f) / 1.2f, 0, 1);
-  const float sky = 0.27f + 0.10f * n.y();
+  const float sky = 0.25f + 0.09f * n.y();
   const float head = clamped(n.z(), 0, 1);
   const float light = 0.54f * wrapped * wrapped;
   Vec result = base.cwiseProduct(light * key_colour + (sky + 0.27f * head) * sky_colour);
+  result += 0.14f * clamped(n.dot(fill), 0, 1) * base.cwiseProduct(fill_colour);
   float s = clamped(n.dot(half), 0, 1);
   s *= s, s *= s, s *= s, s *= s, s *= s; // 32nd power
   return result + Vec::Constant(gloss * s);
