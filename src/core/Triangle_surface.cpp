@@ -32,7 +32,8 @@ Result<void> pair_halfedges(Triangle_surface& surface) {
         return make_error(Error_code::not_a_surface, "two faces use an edge in the same direction",
                           Element_kind::face, h / 3);
       if (surface.opposite[g] >= 0)
-        return make_error(Error_code::not_a_surface, "an edge has more than two faces", Element_kind::face, h / 3);
+        return make_error(Error_code::not_a_surface, "an edge has more than two faces", Element_kind::face,
+                          h / 3);
       surface.opposite[g] = h;
       surface.opposite[h] = g;
     }
@@ -46,7 +47,8 @@ Result<void> Triangle_surface::connect() {
     const Triangle& t = triangles[f];
     for (int v : t)
       if (v < 0 || v >= number_of_vertices())
-        return make_error(Error_code::not_a_surface, "a face names a vertex that does not exist", Element_kind::face, f);
+        return make_error(Error_code::not_a_surface, "a face names a vertex that does not exist",
+                          Element_kind::face, f);
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
       return make_error(Error_code::not_a_surface, "a face names a vertex twice", Element_kind::face, f);
   }
@@ -67,7 +69,8 @@ Result<void> Triangle_surface::connect() {
       h = rotate_ccw(h);
     } while (h >= 0 && h != outgoing[v] && fan <= degree[v]);
     if (fan != degree[v])
-      return make_error(Error_code::not_a_surface, "the faces at a vertex are not one fan", Element_kind::vertex, v);
+      return make_error(Error_code::not_a_surface, "the faces at a vertex are not one fan",
+                        Element_kind::vertex, v);
   }
   return {};
 }

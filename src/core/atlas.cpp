@@ -63,7 +63,8 @@ public:
 private:
   bool is_border(int h) const { return m_embedding.surface.opposite[h] < 0 || m_embedding.is_wall(h); }
   Error bad(const std::string& what) const {
-    return make_error(Error_code::internal_error, "a region between contours " + what, Element_kind::chart, m_index);
+    return make_error(Error_code::internal_error, "a region between contours " + what, Element_kind::chart,
+                      m_index);
   }
 
   void copy_faces(const std::vector<int>& faces) {
@@ -188,7 +189,8 @@ private:
   Result<void> classify() {
     const Triangle_surface& mesh = m_chart.mesh;
     int edges = 0;
-    for (int h = 0; h < mesh.number_of_halfedges(); ++h) edges += mesh.opposite[h] < 0 || h < mesh.opposite[h];
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      edges += mesh.opposite[h] < 0 || h < mesh.opposite[h];
     const int chi = mesh.number_of_vertices() - edges + mesh.number_of_faces();
     std::vector<Walk>& walks = m_chart.walks;
     const std::vector<int> extrema = std::move(m_extrema);
@@ -205,8 +207,9 @@ private:
       m_chart.extremum = extrema[0];
       return {};
     }
-    return bad("is neither an annulus nor a disc with one extremum: Euler characteristic " + std::to_string(chi) + ", " +
-               std::to_string(walks.size()) + " boundaries, " + std::to_string(extrema.size()) + " extrema");
+    return bad("is neither an annulus nor a disc with one extremum: Euler characteristic " +
+               std::to_string(chi) + ", " + std::to_string(walks.size()) + " boundaries, " +
+               std::to_string(extrema.size()) + " extrema");
   }
 
   // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:

@@ -14,7 +14,9 @@ namespace {
 constexpr int profile_bins = 64;
 
 // The boundary halfedge that leaves a walk vertex, the chart on its left.
-int border_halfedge(const Chart& chart, int vertex) { return chart.mesh.outgoing[vertex]; }
+int border_halfedge(const Chart& chart, int vertex) {
+  return chart.mesh.outgoing[vertex];
+}
 
 } // namespace
 
@@ -38,7 +40,8 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
     for (int v : walk.vertices) is_fixed[v] = 1;
   p.m_system = assemble(mesh, p.m_weights, is_fixed);
   if (p.m_system.matrix.size > 0)
-    if (Result<void> factorized = p.m_solver.factorize(p.m_system.matrix); !factorized) return factorized.error();
+    if (Result<void> factorized = p.m_solver.factorize(p.m_system.matrix); !factorized)
+      return factorized.error();
   if (chart.kind == Chart_kind::annulus) {
     if (Result<void> solved = p.solve_u(chart); !solved) return solved.error();
     p.choose_seam(chart);
@@ -49,7 +52,8 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
 }
 
 // Solves for the free vertices; `values` holds those of the walks on entry and all of them on return.
-Result<void> Chart_parameterization::dirichlet(const Chart& chart, std::vector<double>& values, bool with_jumps) const {
+Result<void> Chart_parameterization::dirichlet(const Chart& chart, std::vector<double>& values,
+                                               bool with_jumps) const {
   const Triangle_surface& mesh = chart.mesh;
   const std::vector<int>& unknown = m_system.unknown_of_vertex;
   std::vector<double> x(m_system.matrix.size, 0.0);
@@ -79,7 +83,8 @@ void Chart_parameterization::choose_seam(const Chart& chart) {
   std::vector<char> is_high(mesh.number_of_vertices(), 0);
   for (int v : high.vertices) is_high[v] = 1;
 
-  std::vector<int> entry(mesh.number_of_faces(), -1), queue; // entry: the halfedge of the previous face, or own border
+  std::vector<int> entry(mesh.number_of_faces(), -1),
+      queue; // entry: the halfedge of the previous face, or own border
   for (int v : low.vertices) {
     const int h = border_halfedge(chart, v);
     if (entry[h / 3] >= 0) continue;
@@ -182,7 +187,8 @@ void Chart_parameterization::measure_profile(const Chart& chart) {
   for (int w = 0; w < 2; ++w) {
     const std::vector<int>& v = chart.walks[w].vertices;
     double sum = 0;
-    for (std::size_t i = 0; i < v.size(); ++i) sum += (mesh.points[v[(i + 1) % v.size()]] - mesh.points[v[i]]).norm();
+    for (std::size_t i = 0; i < v.size(); ++i)
+      sum += (mesh.points[v[(i + 1) % v.size()]] - mesh.points[v[i]]).norm();
     length[w == 0 ? 0 : profile_bins] = sum;
   }
   m_profile.height.assign(1, 0.0);
@@ -194,7 +200,8 @@ void Chart_parameterization::measure_profile(const Chart& chart) {
 }
 
 // A walk's values as the cut domain has them: from the first vertex east of the seam, once around.
-std::vector<double> Chart_parameterization::lifted(const Chart& chart, int walk, const std::vector<double>& values) const {
+std::vector<double> Chart_parameterization::lifted(const Chart& chart, int walk,
+                                                   const std::vector<double>& values) const {
   const int n = int(chart.walks[walk].vertices.size());
   std::vector<double> result(values.begin(), values.begin() + n);
   for (int i = 0; i < m_seam_vertex[walk]; ++i) result[i] += 1;

@@ -12,11 +12,13 @@ namespace Reeb_quadrangulation {
 Point Contour_network::position(const Triangle_surface& surface, int vertex) const {
   if (!is_crossing(vertex)) return surface.points[vertex];
   const Edge_crossing& c = crossing(vertex);
-  const Point &p = surface.points[surface.source(c.halfedge)], &q = surface.points[surface.target(c.halfedge)];
+  const Point &p = surface.points[surface.source(c.halfedge)],
+              &q = surface.points[surface.target(c.halfedge)];
   return p + c.t * (q - p);
 }
 
-std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order, int seed) {
+std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order,
+                                          int seed) {
   const int level = order.rank[seed];
   std::vector<Traced_contour> loops;
   int spoke = closed.outgoing[seed];
@@ -38,7 +40,8 @@ std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const 
   return loops;
 }
 
-Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold, int halfedge) {
+Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold,
+                               int halfedge) {
   Traced_contour loop;
   loop.threshold = threshold;
   int exit = halfedge;
@@ -68,7 +71,8 @@ void spread(std::vector<double>& t) {
   for (int i = k - 1; i >= 0; --i) t[i] = std::min(t[i], i == k - 1 ? 1 - gap : t[i + 1] - gap);
 }
 
-double contour_value(const Traced_contour& contour, const Vertex_order& order, const std::vector<double>& values) {
+double contour_value(const Traced_contour& contour, const Vertex_order& order,
+                     const std::vector<double>& values) {
   if (contour.seed >= 0) return values[contour.seed];
   const int below = order.by_rank[contour.threshold], above = order.by_rank[contour.threshold + 1];
   return 0.5 * (values[below] + values[above]);
@@ -115,7 +119,8 @@ Contour_network build_network(const Triangle_surface& surface, const Vertex_orde
     }
     spread(t);
     for (std::size_t i = begin; i < end; ++i) {
-      vertex_of[pending[i].contour][pending[i].position] = network.surface_vertices + int(network.crossings.size());
+      vertex_of[pending[i].contour][pending[i].position] =
+          network.surface_vertices + int(network.crossings.size());
       network.crossings.push_back({e, t[i - begin]});
     }
   }
@@ -154,8 +159,8 @@ Contour_network build_network(const Triangle_surface& surface, const Vertex_orde
   return network;
 }
 
-void add_boundary_contour(const Triangle_surface& surface, const std::vector<int>& loop, bool is_maximum, double value,
-                          Contour_network& network) {
+void add_boundary_contour(const Triangle_surface& surface, const std::vector<int>& loop, bool is_maximum,
+                          double value, Contour_network& network) {
   Contour_edge edge;
   edge.value = value;
   for (int h : loop) edge.vertices.push_back(surface.source(h));

@@ -26,9 +26,7 @@ struct Border {
     vertex.clear();
     sides.clear();
   }
-  int find(int v) const {
-    return int(std::find(vertex.begin(), vertex.end(), v) - vertex.begin());
-  }
+  int find(int v) const { return int(std::find(vertex.begin(), vertex.end(), v) - vertex.begin()); }
 };
 
 double shape(const Point& a, const Point& b, const Point& c) {
@@ -41,7 +39,8 @@ double shape(const Point& a, const Point& b, const Point& c) {
 // among the triangulations without a collinear triangle. Such a one exists, for no polygon has all points on one edge.
 class Polygon_triangulator {
 public:
-  Polygon_triangulator(const Border& border, const std::vector<Point>& points) : m_border(border), m_points(points) {}
+  Polygon_triangulator(const Border& border, const std::vector<Point>& points)
+      : m_border(border), m_points(points) {}
 
   bool operator()(const std::vector<int>& polygon, std::vector<Triangle>& out) {
     const int n = int(polygon.size());
@@ -53,7 +52,8 @@ public:
         const int j = i + length;
         double best = -1;
         for (int k = i + 1; k < j; ++k) {
-          const double value = std::min({m_best[i * n + k], m_best[k * n + j], quality(polygon[i], polygon[k], polygon[j])});
+          const double value =
+              std::min({m_best[i * n + k], m_best[k * n + j], quality(polygon[i], polygon[k], polygon[j])});
           if (value > best) {
             best = value;
             m_apex[i * n + j] = k;
@@ -149,7 +149,8 @@ private:
     for (const Contour_edge& edge : m_network.edges)
       for (std::size_t i = 0; i < edge.faces.size(); ++i)
         if (edge.faces[i] >= 0) m_chords.push_back({edge.faces[i], edge.vertices[i], edge.vertices[i + 1]});
-    std::stable_sort(m_chords.begin(), m_chords.end(), [](const Chord& a, const Chord& b) { return a.face < b.face; });
+    std::stable_sort(m_chords.begin(), m_chords.end(),
+                     [](const Chord& a, const Chord& b) { return a.face < b.face; });
     for (const Chord& chord : m_chords) m_cut_faces.push_back(chord.face);
     std::sort(m_cut_faces.begin(), m_cut_faces.end());
     m_cut_faces.erase(std::unique(m_cut_faces.begin(), m_cut_faces.end()), m_cut_faces.end());
@@ -161,8 +162,9 @@ private:
       border.vertex.push_back(m_surface.triangles[f][i]);
       border.sides.push_back((1 << i) | (1 << ((i + 2) % 3)));
       const int h = 3 * f + i, e = m_surface.edge(h);
-      const auto first = std::lower_bound(m_by_edge.begin(), m_by_edge.end(), e,
-                                          [&](int c, int edge) { return m_network.crossings[c].halfedge < edge; });
+      const auto first = std::lower_bound(m_by_edge.begin(), m_by_edge.end(), e, [&](int c, int edge) {
+        return m_network.crossings[c].halfedge < edge;
+      });
       auto last = first;
       while (last != m_by_edge.end() && m_network.crossings[*last].halfedge == e) ++last;
       const auto push = [&](int c) {
@@ -246,9 +248,11 @@ private:
     for (int e = 0; e < int(m_network.edges.size()); ++e) {
       const std::vector<int>& v = m_network.edges[e].vertices;
       for (int k = 0; k + 1 < int(v.size()); ++k) {
-        const int h = find_halfedge(v[k], v[k + 1]), g = h >= 0 ? s.opposite[h] : find_halfedge(v[k + 1], v[k]);
+        const int h = find_halfedge(v[k], v[k + 1]),
+                  g = h >= 0 ? s.opposite[h] : find_halfedge(v[k + 1], v[k]);
         if (h < 0 && g < 0)
-          return make_error(Error_code::internal_error, "a contour leaves the surface", Element_kind::contour, e);
+          return make_error(Error_code::internal_error, "a contour leaves the surface", Element_kind::contour,
+                            e);
         if (h >= 0) label(h, e, k, true);
         if (g >= 0) label(g, e, k, false);
       }

@@ -64,7 +64,8 @@ Critical_points critical_points(const Triangle_surface& closed, const Vertex_ord
   for (int v = 0; v < n; ++v) {
     if (closed.outgoing[v] < 0 || changes[v] == 2) continue;
     if (changes[v] == 0)
-      (order.rank[v] < order.rank[closed.target(closed.outgoing[v])] ? critical.minima : critical.maxima).push_back(v);
+      (order.rank[v] < order.rank[closed.target(closed.outgoing[v])] ? critical.minima : critical.maxima)
+          .push_back(v);
     else
       critical.saddles.push_back(v);
   }
@@ -78,8 +79,8 @@ namespace {
 
 // One pass of the flooding: visits all vertices from `seeds` in the order of their ranks (upward for minima), makes
 // values monotone along the visit, and makes the visit the new order.
-void flood(const Triangle_surface& closed, const std::vector<int>& seeds, bool upward, std::vector<double>& values,
-           Vertex_order& order) {
+void flood(const Triangle_surface& closed, const std::vector<int>& seeds, bool upward,
+           std::vector<double>& values, Vertex_order& order) {
   const int n = closed.number_of_vertices();
   const auto key = [&](int v) { return upward ? order.rank[v] : n - 1 - order.rank[v]; };
   std::priority_queue<int, std::vector<int>, std::greater<int>> queue; // of keys
@@ -94,7 +95,8 @@ void flood(const Triangle_surface& closed, const std::vector<int>& seeds, bool u
     const int k = queue.top(), v = order.by_rank[upward ? k : n - 1 - k];
     queue.pop();
     if (!visit.empty())
-      values[v] = upward ? std::max(values[v], values[visit.back()]) : std::min(values[v], values[visit.back()]);
+      values[v] =
+          upward ? std::max(values[v], values[visit.back()]) : std::min(values[v], values[visit.back()]);
     visit.push_back(v);
     int h = closed.outgoing[v];
     do {
@@ -127,7 +129,8 @@ int remove_extrema(const Triangle_surface& closed, const std::vector<int>& allow
   };
   for (int round = 0;; ++round) {
     const Critical_points critical = critical_points(closed, order);
-    const bool minima_allowed = subset(critical.minima, minima), maxima_allowed = subset(critical.maxima, maxima);
+    const bool minima_allowed = subset(critical.minima, minima),
+               maxima_allowed = subset(critical.maxima, maxima);
     if (minima_allowed && maxima_allowed) return round;
     flood(closed, minima, true, values, order);
     flood(closed, maxima, false, values, order);

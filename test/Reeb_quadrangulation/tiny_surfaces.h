@@ -28,10 +28,11 @@ inline Triangle_surface tetrahedron() {
 }
 
 inline Triangle_surface octahedron() {
-  return connected({{Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)},
-                    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
-                    {},
-                    {}});
+  return connected(
+      {{Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)},
+       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
+       {},
+       {}});
 }
 
 /// An m x n grid on a torus of revolution (m around the axis, n around the tube); m, n >= 3.
@@ -41,7 +42,8 @@ inline Triangle_surface torus(int m, int n, double r = 0.4) {
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) {
       const double a = tau * i / m, b = tau * j / n;
-      s.points.emplace_back((1 + r * std::cos(b)) * std::cos(a), (1 + r * std::cos(b)) * std::sin(a), r * std::sin(b));
+      s.points.emplace_back((1 + r * std::cos(b)) * std::cos(a), (1 + r * std::cos(b)) * std::sin(a),
+                            r * std::sin(b));
     }
   const auto id = [&](int i, int j) { return (i % m) * n + j % n; };
   for (int i = 0; i < m; ++i)

@@ -45,8 +45,9 @@ struct Chart {
 /// The charts, ordered by their smallest face.
 struct Atlas {
   std::vector<Chart> charts;
-  std::vector<int> chart_of_face;                ///< of the embedding
-  std::vector<std::array<int, 2>> charts_of_edge; ///< per contour edge: left and right chart; -1 outside the surface
+  std::vector<int> chart_of_face; ///< of the embedding
+  std::vector<std::array<int, 2>>
+      charts_of_edge; ///< per contour edge: left and right chart; -1 outside the surface
 };
 
 /// The Reeb graph of the field that the contours belong to: an arc for each chart, a node for each contour (a connected
@@ -65,7 +66,8 @@ struct Reeb_graph {
 
 /// Floods the faces between contours and boundaries, O(F), and checks each region: an annulus with one LOW and one HIGH
 /// walk, or a disc with one walk and exactly one vertex of `extrema` inside. Fails with `internal_error`, naming the chart.
-Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network, const std::vector<int>& extrema);
+Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
+                          const std::vector<int>& extrema);
 
 Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network);
 

@@ -41,11 +41,13 @@ public:
   const std::vector<double>& natural(Side side) const { return m_natural[side == Side::low ? 0 : 1]; }
   /// Solves for V given on the vertices of the walks, as `natural()` is given; the second walk's values count from the same
   /// lift as `natural()`: the mean of the differences to it should be alike on both walks.
-  Result<void> solve_columns(const Chart& chart, const std::vector<double>& low, const std::vector<double>& high);
+  Result<void> solve_columns(const Chart& chart, const std::vector<double>& low,
+                             const std::vector<double>& high);
   /// @}
 
   /// Disc: solves with the rectangle's border positions given for the walk's vertices in the order of `Walk::vertices`.
-  Result<void> solve_rectangle(const Chart& chart, const std::vector<double>& x, const std::vector<double>& y);
+  Result<void> solve_rectangle(const Chart& chart, const std::vector<double>& x,
+                               const std::vector<double>& y);
 
   const std::vector<double>& u() const { return m_u; }
   const std::vector<double>& v() const { return m_v; }

@@ -19,9 +19,9 @@ struct Edge_crossing {
 };
 
 enum class Node_kind : signed char {
-  saddle,   ///< a critical point
-  regular,  ///< a regular point, where a contour begins and ends (caps, subdivisions)
-  boundary  ///< on a boundary loop of the surface
+  saddle,  ///< a critical point
+  regular, ///< a regular point, where a contour begins and ends (caps, subdivisions)
+  boundary ///< on a boundary loop of the surface
 };
 
 struct Contour_node {
@@ -35,10 +35,10 @@ struct Contour_node {
 struct Contour_edge {
   int from = -1, to = -1;    ///< nodes
   std::vector<int> vertices; ///< network vertices, from node to node, at least two
-  std::vector<int> faces;    ///< the face crossed by each segment, or -1 if it runs along an edge of the surface
-  double value = 0;          ///< the field's value on it
-  Side left = Side::low;     ///< the walk of the chart on the left that holds it
-  Side right = Side::high;   ///< and of the chart on the right; ignored on a boundary loop
+  std::vector<int> faces; ///< the face crossed by each segment, or -1 if it runs along an edge of the surface
+  double value = 0;       ///< the field's value on it
+  Side left = Side::low;  ///< the walk of the chart on the left that holds it
+  Side right = Side::high; ///< and of the chart on the right; ignored on a boundary loop
 };
 
 /// Contours embedded in a surface: the central structure from which charts are cut. A network vertex `i` is vertex `i`
@@ -64,11 +64,13 @@ struct Traced_contour {
 
 /// The loops of the contour through `seed`, one more than its multiplicity if it is a saddle, one if it is regular.
 /// Integers only; O(crossings). \pre `seed` is not an extremum of `order`.
-std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order, int seed);
+std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order,
+                                          int seed);
 
 /// The contour between ranks `threshold` and `threshold + 1` that crosses the edge of `halfedge`, which must run from a
 /// vertex of rank <= threshold to a higher one.
-Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold, int halfedge);
+Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold,
+                               int halfedge);
 
 /// Places traced contours of one order on the surface: crossings on an edge are ordered by the contours' ranks, put
 /// where the field has their value, and spread so that neighbours keep a distance (the least is 3 % of the edge, or
@@ -79,8 +81,8 @@ Contour_network build_network(const Triangle_surface& surface, const Vertex_orde
 
 /// Adds a boundary loop (halfedges in order, face on the left) as a contour: the LOW walk of its chart if it is a minimum of
 /// the field, else the HIGH walk.
-void add_boundary_contour(const Triangle_surface& surface, const std::vector<int>& loop, bool is_maximum, double value,
-                          Contour_network& network);
+void add_boundary_contour(const Triangle_surface& surface, const std::vector<int>& loop, bool is_maximum,
+                          double value, Contour_network& network);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -20,9 +20,9 @@ struct Wall {
 /// surface, each crossed one replaced by a piece of it, and the other pieces follow. The geometry is unchanged.
 struct Embedding {
   Triangle_surface surface;
-  std::vector<int> base_face;     ///< the face of the original surface that each face lies in
-  std::vector<int> wall_of;       ///< per halfedge: index into `walls`, or -1
-  std::vector<Wall> walls;        ///< one for each halfedge of a contour
+  std::vector<int> base_face; ///< the face of the original surface that each face lies in
+  std::vector<int> wall_of;   ///< per halfedge: index into `walls`, or -1
+  std::vector<Wall> walls;    ///< one for each halfedge of a contour
 
   bool is_wall(int halfedge) const { return wall_of[halfedge] >= 0; }
 };

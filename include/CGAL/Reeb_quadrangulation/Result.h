@@ -13,18 +13,18 @@ namespace Reeb_quadrangulation {
 
 /// Why a request was not carried out. `description()` gives each code its text.
 enum class Error_code {
-  unreadable_file,      ///< the file cannot be opened, or is not a regular file
-  malformed_file,       ///< the file's bytes contradict its format
-  unsupported_format,   ///< the format, or this variant of it, is not one we read or write
-  unwritable_file,      ///< the file cannot be written whole
-  not_a_surface,        ///< the mesh is not a surface that the method takes
-  impossible_request,   ///< the options contradict each other or the surface
-  refused_edit,         ///< an edit is not applicable; nothing was changed
-  solver_failure,       ///< a linear system could not be solved to the asked residual
-  infeasible_sampling,  ///< no integer sampling satisfies the constraints
-  certificate_failure,  ///< the mesh does not pass its certificate
-  cancelled,            ///< the observer asked to stop
-  internal_error        ///< an invariant of the library does not hold: a defect of ours
+  unreadable_file,     ///< the file cannot be opened, or is not a regular file
+  malformed_file,      ///< the file's bytes contradict its format
+  unsupported_format,  ///< the format, or this variant of it, is not one we read or write
+  unwritable_file,     ///< the file cannot be written whole
+  not_a_surface,       ///< the mesh is not a surface that the method takes
+  impossible_request,  ///< the options contradict each other or the surface
+  refused_edit,        ///< an edit is not applicable; nothing was changed
+  solver_failure,      ///< a linear system could not be solved to the asked residual
+  infeasible_sampling, ///< no integer sampling satisfies the constraints
+  certificate_failure, ///< the mesh does not pass its certificate
+  cancelled,           ///< the observer asked to stop
+  internal_error       ///< an invariant of the library does not hold: a defect of ours
 };
 
 /// The kind of element that an error is about.

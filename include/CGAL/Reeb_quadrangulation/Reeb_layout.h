@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_REEB_LAYOUT_H
+#define CGAL_REEB_QUADRANGULATION_REEB_LAYOUT_H
+
+#include <CGAL/Reeb_quadrangulation/Atlas.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// A field on a surface with the extrema that it is allowed to have.
+struct Designed_field {
+  std::vector<double> values;            ///< per vertex
+  std::vector<int> minima, maxima;       ///< interior vertices
+  std::vector<bool> boundary_is_maximum; ///< per loop of `boundary_loops()`: the field is constant on each
+};
+
+/// The Reeb atlas of a field: the surface cut along its critical contours and its caps.
+struct Reeb_layout {
+  Critical_points critical;      ///< of the cleaned field; the apexes over boundary loops are left out
+  int cleanup_rounds = 0;        ///< of `remove_extrema()`
+  std::vector<double> values;    ///< the cleaned field
+  std::vector<int> lost_extrema; ///< wanted ones that the field does not have
+  Contour_network network;
+  Embedding embedding;
+  Atlas atlas;
+  Reeb_graph graph;
+};
+
+/// A cap: the contour between two ranks that separates an extremum from the rest of its disc.
+///
+/// In the disc between an extremum and the first critical point that its level sets meet, of 48 level lines the outermost is
+/// taken whose mean distance R from the extremum is at most 0.28 of its length (a flat disc has 0.16, a square cap with sides up
+/// 0.28), and at most 0.6 of the distance to the disc's end, so that the annulus that is left is not thin.
+Traced_contour trace_cap(const Closed_surface& closed, const Vertex_order& order,
+                         const std::vector<double>& values, const Critical_points& critical, int extremum,
+                         bool is_maximum);
+
+/// Orders the field, removes extrema that are not wanted, traces every saddle's contours and a cap around every extremum, embeds
+/// them, and cuts the charts. Fails with `impossible_request` if the field has no minimum or no maximum, and with
+/// `internal_error` if a region is not a chart.
+Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_REEB_LAYOUT_H

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_STITCH_H
+#define CGAL_REEB_QUADRANGULATION_STITCH_H
+
+#include <CGAL/Reeb_quadrangulation/Quad_texture.h>
+
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// The samples of the contour edges: `counts[e]` equal steps in a parameter that both charts of the edge share, so that their sides
+/// meet by identity.
+struct Contour_samples {
+  std::vector<int> counts; ///< per contour edge
+  std::vector<std::vector<double>>
+      parameter; ///< per contour edge: of each polyline vertex, strictly from 0 to 1
+};
+
+/// The shared parameter of each contour edge: arc length, blended by `blend` in [0, 1] with the mean of the natural V of the
+/// annuli on its sides, where they are strictly monotone. Independent of the counts.
+std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
+                                                    const Contour_network& network, const Atlas& atlas,
+                                                    const std::vector<Chart_parameterization>& maps,
+                                                    double blend);
+
+/// The positions of a walk's vertices in sample steps, from 0 at its first vertex; one more entry than vertices, the last is
+/// the walk's number of samples.
+std::vector<double> walk_coordinates(const Walk& walk, const Contour_samples& samples);
+
+/// A chart's texture and how its sides meet the walks' samples: texture vertex `sides[w][i]` is sample `i - offset[w]` of
+/// walk `w`, modulo their number.
+struct Placed_texture {
+  Quad_texture texture;
+  std::array<int, 2> offset{{0, 0}};
+  std::vector<Chart_location> location; ///< of each texture vertex
+};
+
+/// Solves V of an annulus for the samples, turning the HIGH walk by the whole number of columns that fits the natural V best, and
+/// fills it with `rows` rows of equal height.
+Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
+                                     Chart_parameterization& map);
+
+/// Maps a disc to a x b, its corners where they span the largest quadrilateral, and fills it regularly.
+Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
+                                  Chart_parameterization& map);
+
+/// The stitched quad mesh and what every vertex is.
+struct Stitched_mesh {
+  Quad_mesh mesh;
+  std::vector<int> node_vertex; ///< per node of the network
+  std::vector<int> chart_of_quad;
+  std::map<int, int> valences; ///< predicted from the layout alone: valence -> number of vertices inside
+};
+
+/// Joins the placed textures by identity of their samples. \pre The textures' sides have the samples' numbers.
+Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+                     const Contour_samples& samples, const std::vector<Placed_texture>& textures);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_STITCH_H

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Quad_texture.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+Quad_texture regular_annulus_texture(int columns, const std::vector<double>& levels) {
+  CGAL_precondition(columns >= 3 && levels.size() >= 2);
+  Quad_texture texture;
+  const int rows = int(levels.size()) - 1;
+  for (int r = 0; r <= rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      texture.v.push_back(double(c) / columns);
+      texture.u.push_back(levels[r]);
+    }
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const int next = (c + 1) % columns, below = r * columns, above = below + columns;
+      texture.quads.push_back({below + c, below + next, above + next, above + c});
+    }
+  texture.sides.resize(2);
+  for (int c = 0; c < columns; ++c) {
+    texture.sides[0].push_back(c);
+    texture.sides[1].push_back(rows * columns + c);
+  }
+  return texture;
+}
+
+Quad_texture regular_disc_texture(int a, int b, bool clockwise) {
+  CGAL_precondition(a >= 1 && b >= 1);
+  Quad_texture texture;
+  const auto id = [&](int x, int y) { return y * (a + 1) + x; };
+  for (int y = 0; y <= b; ++y)
+    for (int x = 0; x <= a; ++x) {
+      texture.v.push_back(x);
+      texture.u.push_back(y);
+    }
+  for (int y = 0; y < b; ++y)
+    for (int x = 0; x < a; ++x)
+      texture.quads.push_back({id(x, y), id(x + 1, y), id(x + 1, y + 1), id(x, y + 1)});
+  std::vector<int> side;
+  for (int x = 0; x < a; ++x) side.push_back(id(x, 0));
+  for (int y = 0; y < b; ++y) side.push_back(id(a, y));
+  for (int x = a; x > 0; --x) side.push_back(id(x, b));
+  for (int y = b; y > 0; --y) side.push_back(id(0, y));
+  if (clockwise) std::reverse(side.begin() + 1, side.end());
+  texture.sides.push_back(std::move(side));
+  return texture;
+}
+
+Point position(const Chart& chart, const Chart_location& location) {
+  const Triangle& t = chart.mesh.triangles[location.face];
+  return location.weights[0] * chart.mesh.points[t[0]] + location.weights[1] * chart.mesh.points[t[1]] +
+         location.weights[2] * chart.mesh.points[t[2]];
+}
+
+namespace {
+
+// A triangle in the plane; on an annulus its V are lifted to follow its first corner.
+struct Plane_triangle {
+  double v[3], u[3];
+};
+
+Plane_triangle plane_triangle(const Chart& chart, const Chart_parameterization& map, int f) {
+  const Triangle& t = chart.mesh.triangles[f];
+  Plane_triangle p;
+  for (int i = 0; i < 3; ++i) {
+    p.v[i] = map.v()[t[i]];
+    p.u[i] = map.u()[t[i]];
+  }
+  p.v[1] += map.jump(3 * f);
+  p.v[2] -= map.jump(3 * f + 2);
+  return p;
+}
+
+double area(double ax, double ay, double bx, double by, double cx, double cy) {
+  return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+}
+
+// Buckets of query points on a uniform grid over the parameter domain; V wraps around on an annulus.
+class Point_grid {
+public:
+  Point_grid(const std::vector<double>& v, const std::vector<double>& u, bool periodic, double width,
+             double height)
+      : m_v(v), m_u(u), m_periodic(periodic) {
+    const double n = std::max(1.0, double(v.size()));
+    m_columns = std::max(1, std::min(4096, int(std::sqrt(n * width / height))));
+    m_rows = std::max(1, std::min(4096, int(n / m_columns)));
+    m_column_width = width / m_columns;
+    m_row_height = height / m_rows;
+    m_begin.assign(m_columns * m_rows + 1, 0);
+    for (std::size_t i = 0; i < v.size(); ++i) ++m_begin[cell(i) + 1];
+    for (std::size_t c = 0; c + 1 < m_begin.size(); ++c) m_begin[c + 1] += m_begin[c];
+    m_item.resize(v.size());
+    std::vector<int> end(m_begin.begin(), m_begin.end() - 1);
+    for (std::size_t i = 0; i < v.size(); ++i) m_item[end[cell(i)]++] = int(i);
+  }
+
+  // Calls `visit(point, shift)` for each point whose V + shift may lie in the box.
+  template <class Visit> void query(double v0, double v1, double u0, double u1, const Visit& visit) const {
+    const int r0 = row(u0), r1 = row(u1);
+    const int c0 = int(std::floor(v0 / m_column_width)), c1 = int(std::floor(v1 / m_column_width));
+    for (int c = m_periodic ? c0 : clamp(c0, m_columns); c <= (m_periodic ? c1 : clamp(c1, m_columns)); ++c) {
+      const int turn = int(std::floor(double(c) / m_columns)), column = c - turn * m_columns;
+      for (int r = r0; r <= r1; ++r)
+        for (int k = m_begin[r * m_columns + column]; k < m_begin[r * m_columns + column + 1]; ++k)
+          visit(m_item[k], turn);
+    }
+  }
+
+private:
+  static int clamp(int i, int n) { return std::max(0, std::min(n - 1, i)); }
+  int row(double u) const { return clamp(int(std::floor(u / m_row_height)), m_rows); }
+  int cell(std::size_t i) const {
+    return row(m_u[i]) * m_columns + clamp(int(std::floor(m_v[i] / m_column_width)), m_columns);
+  }
+
+  const std::vector<double>&m_v, &m_u;
+  bool m_periodic;
+  int m_columns = 1, m_rows = 1;
+  double m_column_width = 1, m_row_height = 1;
+  std::vector<int> m_begin, m_item;
+};
+
+} // namespace
+
+std::vector<Chart_location> locate(const Chart& chart, const Chart_parameterization& map,
+                                   const std::vector<double>& v, const std::vector<double>& u) {
+  const bool periodic = chart.kind == Chart_kind::annulus;
+  double width = 1, height = 1;
+  if (!periodic) {
+    width = std::max(1e-300, *std::max_element(map.v().begin(), map.v().end()));
+    height = std::max(1e-300, *std::max_element(map.u().begin(), map.u().end()));
+  }
+  const Point_grid grid(v, u, periodic, width, height);
+  std::vector<Chart_location> found(v.size());
+  std::vector<double> margin(v.size(),
+                             -1e300); // the least barycentric coordinate in the best triangle so far
+  // A point may sit on an edge whose triangles both miss it by rounding: boxes are widened by a few units in the last place.
+  const double slack = 1e-9;
+  for (int f = 0; f < chart.mesh.number_of_faces(); ++f) {
+    const Plane_triangle t = plane_triangle(chart, map, f);
+    const auto [v0, v1] = std::minmax({t.v[0], t.v[1], t.v[2]});
+    const auto [u0, u1] = std::minmax({t.u[0], t.u[1], t.u[2]});
+    grid.query(v0 - slack * width, v1 + slack * width, u0 - slack * height, u1 + slack * height,
+               [&](int i, int turn) {
+                 const double x = v[i] + turn, y = u[i];
+                 const double a = area(x, y, t.v[1], t.u[1], t.v[2], t.u[2]),
+                              b = area(t.v[0], t.u[0], x, y, t.v[2], t.u[2]),
+                              c = area(t.v[0], t.u[0], t.v[1], t.u[1], x, y), sum = a + b + c;
+                 if (!(sum > 0)) return;
+                 const double least = std::min({a, b, c}) / sum;
+                 if (least <= margin[i]) return;
+                 margin[i] = least;
+                 const double wa = std::max(a, 0.0), wb = std::max(b, 0.0), wc = std::max(c, 0.0),
+                              w = wa + wb + wc;
+                 found[i] = {f, {{wa / w, wb / w, wc / w}}};
+               });
+  }
+  for (Chart_location& location : found)
+    if (location.face < 0) location = {0, {{1, 0, 0}}}; // every triangle is degenerate in the plane
+  return found;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

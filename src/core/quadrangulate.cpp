@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+
+#include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
+#include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+Sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights) {
+  Sampling_problem problem;
+  for (const Contour_edge& edge : layout.network.edges) {
+    Sampling_edge e;
+    for (std::size_t i = 1; i < edge.vertices.size(); ++i)
+      e.length += (layout.embedding.surface.points[edge.vertices[i]] -
+                   layout.embedding.surface.points[edge.vertices[i - 1]])
+                      .norm();
+    e.minimum = edge.from == edge.to ? 4 : 2;
+    problem.edges.push_back(e);
+  }
+  // A contour whose points all coincide still needs a positive wish.
+  double longest = 0;
+  for (const Sampling_edge& e : problem.edges) longest = std::max(longest, e.length);
+  for (Sampling_edge& e : problem.edges) e.length = std::max(e.length, 1e-9 * longest);
+  for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
+    const Chart& chart = layout.atlas.charts[c];
+    Sampling_chart s;
+    s.kind = chart.kind == Chart_kind::disc ? Sampling_chart::Kind::disc : Sampling_chart::Kind::annulus;
+    s.height = heights[c];
+    for (const Walk& walk : chart.walks)
+      for (const Walk_edge& e : walk.edges) (walk.side == Side::low ? s.low : s.high).push_back(e.edge);
+    problem.charts.push_back(std::move(s));
+  }
+  return problem;
+}
+
+namespace {
+
+class Pipeline {
+public:
+  Pipeline(const Triangle_surface& input, const Quadrangulation_options& options, Observer* observer)
+      : m_input(input), m_options(options), m_clock(observer, m_result.stages) {
+    m_threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  }
+
+  Result<Quadrangulation> run() {
+    using Step = Result<void> (Pipeline::*)();
+    const std::pair<const char*, Step> steps[] = {{"check", &Pipeline::check},
+                                                  {"prepare", &Pipeline::prepare},
+                                                  {"extrema", &Pipeline::choose_extrema},
+                                                  {"field", &Pipeline::solve_field},
+                                                  {"layout", &Pipeline::cut},
+                                                  {"charts", &Pipeline::parameterize},
+                                                  {"sampling", &Pipeline::sample},
+                                                  {"textures", &Pipeline::place},
+                                                  {"stitching", &Pipeline::join},
+                                                  {"relaxation", &Pipeline::relax}};
+    for (const auto& [name, step] : steps) {
+      if (!m_clock.begin(name)) return make_error(Error_code::cancelled, "cancelled by the user");
+      if (Result<void> done = (this->*step)(); !done) return done.error();
+      m_clock.end();
+    }
+    return std::move(m_result);
+  }
+
+private:
+  Result<void> check() {
+    if (m_input.number_of_faces() == 0)
+      return make_error(Error_code::not_a_surface, "the surface has no faces");
+    if (connected_components(m_input).second != 1)
+      return make_error(Error_code::not_a_surface,
+                        "the surface has several components: mesh them one by one");
+    if (m_options.edge_length <= 0 && m_options.quads < 1)
+      return make_error(Error_code::impossible_request, "the number of quads must be positive");
+    m_loops = boundary_loops(m_input);
+    m_result.genus = (2 - euler_characteristic(m_input) - int(m_loops.size())) / 2;
+    return {};
+  }
+
+  Result<void> prepare() {
+    m_result.working_surface = m_input;
+    return {};
+  }
+
+  Result<void> choose_extrema() {
+    const Triangle_surface& s = m_result.working_surface;
+    Designed_field& field = m_result.field;
+    Result<Suggestion> suggested = suggest_extrema(s, m_options.suggestion, m_clock.observer());
+    if (!suggested) return suggested.error();
+    field.boundary_is_maximum = suggested->boundary_is_maximum;
+    if (m_options.extrema.empty()) {
+      for (const Suggested_extremum& e : suggested->extrema)
+        (e.is_maximum ? field.maxima : field.minima).push_back(e.vertex);
+    } else {
+      for (const Placed_extremum& e : m_options.extrema)
+        (e.is_maximum ? field.maxima : field.minima).push_back(nearest_vertex(e.point));
+    }
+    for (auto* list : {&field.minima, &field.maxima}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    for (int v : field.minima)
+      if (std::binary_search(field.maxima.begin(), field.maxima.end(), v))
+        return make_error(Error_code::impossible_request, "a vertex is asked to be a minimum and a maximum",
+                          Element_kind::vertex, v);
+    return {};
+  }
+
+  int nearest_vertex(const Point& p) const {
+    const Triangle_surface& s = m_result.working_surface;
+    std::vector<char> on_boundary(s.number_of_vertices(), 0);
+    for (const auto& loop : m_loops)
+      for (int h : loop) on_boundary[s.source(h)] = 1;
+    int best = -1;
+    for (int v = 0; v < s.number_of_vertices(); ++v)
+      if (!on_boundary[v] &&
+          (best < 0 || (s.points[v] - p).squaredNorm() < (s.points[best] - p).squaredNorm()))
+        best = v;
+    return best;
+  }
+
+  Result<void> solve_field() {
+    const Triangle_surface& s = m_result.working_surface;
+    Designed_field& field = m_result.field;
+    Harmonic_field harmonic(s);
+    harmonic.set_weights(m_options.weights);
+    harmonic.set_method(m_options.constraints);
+    std::vector<int> wanted = field.minima;
+    wanted.insert(wanted.end(), field.maxima.begin(), field.maxima.end());
+    for (const bool is_maximum : {false, true})
+      for (int v : is_maximum ? field.maxima : field.minima)
+        if (Result<void> set = harmonic.set_constraint(v, is_maximum); !set) return set;
+    for (std::size_t i = 0; i < m_loops.size(); ++i)
+      for (int h : m_loops[i])
+        if (Result<void> set = harmonic.set_constraint(s.source(h), field.boundary_is_maximum[i]); !set)
+          return set;
+    Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
+    if (!solved) return solved.error();
+    field.values = std::move(solved->values);
+    return {};
+  }
+
+  Result<void> cut() {
+    Result<Reeb_layout> layout = make_layout(m_result.working_surface, m_result.field);
+    if (!layout) return layout.error();
+    m_result.layout = std::move(*layout);
+    return {};
+  }
+
+  Result<void> parameterize() {
+    const std::vector<Chart>& charts = m_result.layout.atlas.charts;
+    m_maps.resize(charts.size());
+    const Result<void> done = for_each_chart([&](int c) -> Result<void> {
+      Result<Chart_parameterization> map = Chart_parameterization::prepare(charts[c]);
+      if (!map) return map.error();
+      m_maps[c] = std::move(*map);
+      return {};
+    });
+    if (!done) return done;
+    for (std::size_t c = 0; c < charts.size(); ++c)
+      m_result.chart_height.push_back(charts[c].kind == Chart_kind::annulus ? m_maps[c].profile().total()
+                                                                            : 0);
+    return {};
+  }
+
+  Result<void> sample() {
+    const Sampling_problem problem = sampling_problem(m_result.layout, m_result.chart_height);
+    Result<Sampling> sampling = m_options.edge_length > 0
+                                    ? sample_for_edge_length(problem, m_options.edge_length)
+                                    : sample_for_quads(problem, m_options.quads);
+    if (!sampling) return sampling.error();
+    m_result.sampling = std::move(*sampling);
+    m_samples.counts = m_result.sampling.counts;
+    const Reeb_layout& layout = m_result.layout;
+    m_samples.parameter =
+        contour_parameters(layout.embedding, layout.network, layout.atlas, m_maps, m_options.sample_blend);
+    return {};
+  }
+
+  Result<void> place() {
+    const std::vector<Chart>& charts = m_result.layout.atlas.charts;
+    m_textures.resize(charts.size());
+    std::vector<int> flipped(charts.size(), 0);
+    const Result<void> done = for_each_chart([&](int c) -> Result<void> {
+      const std::array<int, 2> grid = m_result.sampling.grid[c];
+      Result<Placed_texture> placed = charts[c].kind == Chart_kind::annulus
+                                          ? place_annulus(charts[c], m_samples, grid[1], m_maps[c])
+                                          : place_disc(charts[c], m_samples, grid[0], grid[1], m_maps[c]);
+      if (!placed) return placed.error();
+      m_textures[c] = std::move(*placed);
+      flipped[c] = m_maps[c].flipped(charts[c]);
+      return {};
+    });
+    for (int n : flipped) m_result.flipped_triangles += n;
+    return done;
+  }
+
+  Result<void> join() {
+    const Reeb_layout& layout = m_result.layout;
+    Stitched_mesh stitched = stitch(layout.embedding, layout.network, layout.atlas, m_samples, m_textures);
+    m_result.mesh = std::move(stitched.mesh);
+    m_result.valences = std::move(stitched.valences);
+    m_result.chart_of_quad = std::move(stitched.chart_of_quad);
+    return {};
+  }
+
+  Result<void> relax() {
+    if (!m_options.relax) return {};
+    const Surface_projector projector(m_input);
+    Relax_options options = m_options.relaxation;
+    options.threads = m_threads;
+    Result<Relax_report> report =
+        relax_quads(m_result.mesh, m_input, projector, {}, options, m_clock.observer());
+    if (!report) return report.error();
+    m_result.relaxation = *report;
+    return {};
+  }
+
+  // Charts are independent; the largest ones start first so that two threads end together.
+  template <class Work> Result<void> for_each_chart(const Work& work) {
+    const std::vector<Chart>& charts = m_result.layout.atlas.charts;
+    std::vector<int> order(charts.size());
+    for (std::size_t c = 0; c < order.size(); ++c) order[c] = int(c);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      const int fa = charts[a].mesh.number_of_faces(), fb = charts[b].mesh.number_of_faces();
+      return fa != fb ? fa > fb : a < b;
+    });
+    std::vector<Result<void>> done(charts.size());
+    internal::parallel_for(int(order.size()), m_threads, [&](int i) {
+      if (m_clock.cancelled())
+        done[order[i]] = make_error(Error_code::cancelled, "cancelled by the user");
+      else
+        done[order[i]] = work(order[i]);
+    });
+    for (Result<void>& result : done)
+      if (!result) return result;
+    return {};
+  }
+
+  const Triangle_surface& m_input;
+  const Quadrangulation_options& m_options;
+  Quadrangulation m_result;
+  internal::Stage_clock<Stage_time> m_clock;
+  int m_threads = 1;
+  std::vector<std::vector<int>> m_loops;
+  std::vector<Chart_parameterization> m_maps;
+  Contour_samples m_samples;
+  std::vector<Placed_texture> m_textures;
+};
+
+} // namespace
+
+Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Quadrangulation_options& options,
+                                      Observer* observer) {
+  return Pipeline(surface, options, observer).run();
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/stitch.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+bool strictly_increasing(const std::vector<double>& x) {
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if (!(x[i - 1] < x[i])) return false;
+  return true;
+}
+
+void normalise(std::vector<double>& x) {
+  const double first = x.front(), range = x.back() - first;
+  for (double& value : x) value = range > 0 ? (value - first) / range : 0;
+  x.back() = 1;
+}
+
+std::vector<double> arc_lengths(const Embedding& embedding, const Contour_edge& edge) {
+  std::vector<double> s{0.0};
+  for (std::size_t i = 1; i < edge.vertices.size(); ++i)
+    s.push_back(
+        s.back() +
+        (embedding.surface.points[edge.vertices[i]] - embedding.surface.points[edge.vertices[i - 1]]).norm());
+  if (!(s.back() > 0) || !strictly_increasing(s))
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] = double(i); // all points coincide: only the order is left
+  normalise(s);
+  return s;
+}
+
+int end_of(const Walk& walk, std::size_t i) {
+  return i + 1 < walk.edges.size() ? walk.edges[i + 1].begin : int(walk.vertices.size());
+}
+
+int modulo(int a, int n) {
+  return ((a % n) + n) % n;
+}
+
+} // namespace
+
+std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
+                                                    const Contour_network& network, const Atlas& atlas,
+                                                    const std::vector<Chart_parameterization>& maps,
+                                                    double blend) {
+  const std::size_t n = network.edges.size();
+  std::vector<std::vector<double>> parameter(n), natural(n);
+  std::vector<int> sides(n, 0);
+  for (std::size_t c = 0; c < atlas.charts.size(); ++c) {
+    const Chart& chart = atlas.charts[c];
+    if (chart.kind != Chart_kind::annulus) continue;
+    for (const Walk& walk : chart.walks) {
+      const std::vector<double>& v = maps[c].natural(walk.side);
+      for (std::size_t i = 0; i < walk.edges.size(); ++i) {
+        std::vector<double> part(v.begin() + walk.edges[i].begin, v.begin() + end_of(walk, i) + 1);
+        if (!walk.edges[i].forward) {
+          std::reverse(part.begin(), part.end());
+          for (double& x : part) x = -x;
+        }
+        normalise(part);
+        const int e = walk.edges[i].edge;
+        if (natural[e].empty()) natural[e].assign(part.size(), 0.0);
+        for (std::size_t k = 0; k < part.size(); ++k) natural[e][k] += part[k];
+        ++sides[e];
+      }
+    }
+  }
+  for (std::size_t e = 0; e < n; ++e) {
+    parameter[e] = arc_lengths(embedding, network.edges[e]);
+    if (sides[e] == 0) continue;
+    std::vector<double> blended(parameter[e].size());
+    for (std::size_t k = 0; k < blended.size(); ++k)
+      blended[k] = (1 - blend) * parameter[e][k] + blend * natural[e][k] / sides[e];
+    if (strictly_increasing(blended)) parameter[e] = std::move(blended);
+    parameter[e].back() = 1;
+  }
+  return parameter;
+}
+
+std::vector<double> walk_coordinates(const Walk& walk, const Contour_samples& samples) {
+  std::vector<double> x;
+  x.reserve(walk.vertices.size() + 1);
+  int before = 0;
+  for (const Walk_edge& we : walk.edges) {
+    const std::vector<double>& p = samples.parameter[we.edge];
+    const int n = samples.counts[we.edge], last = int(p.size()) - 1;
+    for (int k = 0; k < last; ++k) x.push_back(before + n * (we.forward ? p[k] : 1 - p[last - k]));
+    before += n;
+  }
+  x.push_back(before);
+  return x;
+}
+
+Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
+                                     Chart_parameterization& map) {
+  std::array<std::vector<double>, 2> x;
+  std::array<double, 2> mean{{0, 0}};
+  for (int w = 0; w < 2; ++w) {
+    x[w] = walk_coordinates(chart.walks[w], samples);
+    const double n = x[w].back();
+    const std::vector<double>& natural = map.natural(chart.walks[w].side);
+    // The mean of V - natural V along the walk, weighted by the walk's natural steps.
+    for (std::size_t i = 0; i < x[w].size(); ++i) x[w][i] /= n;
+    for (std::size_t i = 0; i + 1 < x[w].size(); ++i)
+      mean[w] += 0.5 * (x[w][i] - natural[i] + x[w][i + 1] - natural[i + 1]) * (natural[i + 1] - natural[i]);
+  }
+  Placed_texture placed;
+  const int columns = int(std::lround(walk_coordinates(chart.walks[0], samples).back()));
+  const int shift = int(std::lround(columns * (mean[0] - mean[1])));
+  for (double& value : x[1]) value += double(shift) / columns;
+  if (Result<void> solved = map.solve_columns(chart, x[0], x[1]); !solved) return solved.error();
+  std::vector<double> levels;
+  for (int r = 0; r <= rows; ++r)
+    levels.push_back(r == 0 ? 0 : r == rows ? 1 : map.profile().level_at(double(r) / rows));
+  placed.texture = regular_annulus_texture(columns, levels);
+  placed.offset = {0, shift};
+  placed.location = locate(chart, map, placed.texture.v, placed.texture.u);
+  return placed;
+}
+
+namespace {
+
+// The points of a walk's samples.
+std::vector<Point> sample_points(const Chart& chart, const Walk& walk, const std::vector<double>& x) {
+  std::vector<Point> points;
+  const std::size_t n = walk.vertices.size();
+  std::size_t i = 0;
+  for (int k = 0; k < int(std::lround(x.back())); ++k) {
+    while (i + 1 < n && x[i + 1] <= k) ++i;
+    const Point &p = chart.mesh.points[walk.vertices[i]], &q = chart.mesh.points[walk.vertices[(i + 1) % n]];
+    points.push_back(p + (k - x[i]) / (x[i + 1] - x[i]) * (q - p));
+  }
+  return points;
+}
+
+int best_corner(const std::vector<Point>& p, int a, int b) {
+  const int n = int(p.size());
+  int best = 0;
+  double largest = -1;
+  for (int c = 0; c < (a == b ? a : a + b); ++c) {
+    const Point d1 = p[(c + a + b) % n] - p[c], d2 = p[(c + 2 * a + b) % n] - p[(c + a) % n];
+    const double area = d1.cross(d2).norm();
+    if (area > largest * (1 + 1e-9)) {
+      largest = area;
+      best = c;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
+                                  Chart_parameterization& map) {
+  const Walk& walk = chart.walks[0];
+  const bool clockwise = walk.side == Side::high;
+  const std::vector<double> x = walk_coordinates(walk, samples);
+  const int n = int(std::lround(x.back()));
+  CGAL_precondition(n == 2 * (a + b));
+  // Clockwise, the side goes up b first: exchange the roles so that corners are found by the same steps.
+  const int first = clockwise ? b : a, second = clockwise ? a : b;
+  const int corner = best_corner(sample_points(chart, walk, x), first, second);
+  std::vector<double> px, py;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    double s = x[i] - corner;
+    if (s < 0) s += n;
+    double along, across;
+    if (s < first) {
+      along = s;
+      across = 0;
+    } else if (s < first + second) {
+      along = first;
+      across = s - first;
+    } else if (s < 2 * first + second) {
+      along = 2 * first + second - s;
+      across = second;
+    } else {
+      along = 0;
+      across = n - s;
+    }
+    px.push_back(clockwise ? across : along);
+    py.push_back(clockwise ? along : across);
+  }
+  if (Result<void> solved = map.solve_rectangle(chart, px, py); !solved) return solved.error();
+  Placed_texture placed;
+  placed.texture = regular_disc_texture(a, b, clockwise);
+  placed.offset = {-corner, 0};
+  placed.location = locate(chart, map, placed.texture.v, placed.texture.u);
+  return placed;
+}
+
+namespace {
+
+// Global vertices: nodes, then the inner samples of each contour edge, then the inner vertices of each texture.
+class Stitcher {
+public:
+  Stitcher(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+           const Contour_samples& samples, const std::vector<Placed_texture>& textures)
+      : m_embedding(embedding), m_network(network), m_atlas(atlas), m_samples(samples), m_textures(textures) {
+  }
+
+  Stitched_mesh run() {
+    for (const Contour_node& node : m_network.nodes) {
+      m_out.node_vertex.push_back(int(m_out.mesh.points.size()));
+      m_out.mesh.points.push_back(m_embedding.surface.points[node.vertex]);
+    }
+    for (std::size_t e = 0; e < m_network.edges.size(); ++e) add_samples(int(e));
+    for (std::size_t c = 0; c < m_atlas.charts.size(); ++c) add_chart(int(c));
+    predict_valences();
+    return std::move(m_out);
+  }
+
+private:
+  void add_samples(int e) {
+    const std::vector<double>& p = m_samples.parameter[e];
+    const std::vector<int>& v = m_network.edges[e].vertices;
+    m_first_sample.push_back(int(m_out.mesh.points.size()));
+    std::size_t i = 0;
+    for (int k = 1; k < m_samples.counts[e]; ++k) {
+      const double at = double(k) / m_samples.counts[e];
+      while (p[i + 1] < at) ++i;
+      const Point &a = m_embedding.surface.points[v[i]], &b = m_embedding.surface.points[v[i + 1]];
+      m_out.mesh.points.push_back(a + (at - p[i]) / (p[i + 1] - p[i]) * (b - a));
+    }
+  }
+
+  // The samples of a walk, eastward from its first node.
+  std::vector<int> walk_samples(const Walk& walk) const {
+    std::vector<int> samples;
+    for (const Walk_edge& we : walk.edges) {
+      const Contour_edge& edge = m_network.edges[we.edge];
+      const int n = m_samples.counts[we.edge], first = m_first_sample[we.edge];
+      samples.push_back(m_out.node_vertex[we.forward ? edge.from : edge.to]);
+      for (int k = 1; k < n; ++k) samples.push_back(first + (we.forward ? k : n - k) - 1);
+    }
+    return samples;
+  }
+
+  void add_chart(int c) {
+    const Chart& chart = m_atlas.charts[c];
+    const Placed_texture& placed = m_textures[c];
+    std::vector<int> global(placed.texture.v.size(), -1);
+    for (std::size_t w = 0; w < chart.walks.size(); ++w) {
+      const std::vector<int> samples = walk_samples(chart.walks[w]);
+      const std::vector<int>& side = placed.texture.sides[w];
+      const int n = int(side.size());
+      CGAL_precondition(side.size() == samples.size());
+      for (int i = 0; i < n; ++i) global[side[i]] = samples[modulo(i - placed.offset[w], n)];
+    }
+    for (std::size_t i = 0; i < global.size(); ++i)
+      if (global[i] < 0) {
+        global[i] = int(m_out.mesh.points.size());
+        m_out.mesh.points.push_back(position(chart, placed.location[i]));
+      }
+    for (const Quad& q : placed.texture.quads) {
+      m_out.mesh.quads.push_back({global[q[0]], global[q[1]], global[q[2]], global[q[3]]});
+      m_out.chart_of_quad.push_back(c);
+    }
+    count_inner_edges(placed.texture, global);
+  }
+
+  // How many edges of a texture leave each of its side vertices into the chart, and the valences of its inner vertices.
+  void count_inner_edges(const Quad_texture& texture, const std::vector<int>& global) {
+    std::vector<char> on_side(global.size(), 0);
+    for (const std::vector<int>& side : texture.sides)
+      for (int v : side) on_side[v] = 1;
+    std::vector<int> quads(global.size(), 0);
+    for (const Quad& q : texture.quads)
+      for (int v : q) ++quads[v];
+    m_inner_edges.resize(m_out.mesh.points.size(), 0);
+    for (std::size_t i = 0; i < global.size(); ++i) {
+      if (on_side[i])
+        m_inner_edges[global[i]] += quads[i] - 1;
+      else
+        ++m_out.valences[quads[i]];
+    }
+  }
+
+  // A contour vertex has its edges along the contours and those that its charts send it.
+  void predict_valences() {
+    std::vector<int> along(m_out.mesh.points.size(), 0);
+    std::vector<char> on_boundary(m_out.mesh.points.size(), 0);
+    for (std::size_t e = 0; e < m_network.edges.size(); ++e) {
+      const Contour_edge& edge = m_network.edges[e];
+      const bool boundary = m_atlas.charts_of_edge[e][0] < 0 || m_atlas.charts_of_edge[e][1] < 0;
+      std::vector<int> inner;
+      for (int k = 1; k < m_samples.counts[e]; ++k) inner.push_back(m_first_sample[e] + k - 1);
+      for (int v : inner) along[v] += 2;
+      ++along[m_out.node_vertex[edge.from]];
+      ++along[m_out.node_vertex[edge.to]];
+      inner.push_back(m_out.node_vertex[edge.from]);
+      inner.push_back(m_out.node_vertex[edge.to]);
+      if (boundary)
+        for (int v : inner) on_boundary[v] = 1;
+    }
+    for (std::size_t v = 0; v < along.size(); ++v)
+      if (along[v] > 0 && !on_boundary[v]) ++m_out.valences[along[v] + m_inner_edges[v]];
+  }
+
+  const Embedding& m_embedding;
+  const Contour_network& m_network;
+  const Atlas& m_atlas;
+  const Contour_samples& m_samples;
+  const std::vector<Placed_texture>& m_textures;
+  Stitched_mesh m_out;
+  std::vector<int> m_first_sample;
+  std::vector<int> m_inner_edges;
+};
+
+} // namespace
+
+Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+                     const Contour_samples& samples, const std::vector<Placed_texture>& textures) {
+  return Stitcher(embedding, network, atlas, samples, textures).run();
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
