@@ -19,6 +19,13 @@ namespace {
 // Unaligned, and allowed to alias the numbers it is loaded from.
 typedef double Vector __attribute__((vector_size(32), aligned(8), may_alias));
 constexpr int width = 4;
+constexpr int group = 8;            // rows of a packed group
+constexpr int smallest_packed = 48; // rows from which packing pays
+
+struct Target {
+  double* place;
+  long stride;
+};
 
 REEBQUAD_ALWAYS_INLINE const Vector& vector_at(const double* p) {
   return *reinterpret_cast<const Vector*>(p);
@@ -66,9 +73,68 @@ REEBQUAD_ALWAYS_INLINE void update_block(double* target, long target_stride, con
   int i = 0;
   for (; i + Vectors * width <= count; i += Vectors * width)
     update_tile<Vectors>(target + i, target_stride, rows + i, pivots, stride, depth, is_zero);
-  if constexpr (Vectors > 1)
-    for (; i < count; i += width)
-      update_tile<1>(target + i, target_stride, rows + i, pivots, stride, depth, is_zero);
+  for (; Vectors > 1 && i < count; i += width)
+    update_tile<1>(target + i, target_stride, rows + i, pivots, stride, depth, is_zero);
+}
+
+// Copies `count` rows (a multiple of four) of `depth` columns so that groups of eight rows lie together, column after
+// column: then the products of large fronts run through memory in order.
+REEBQUAD_ALWAYS_INLINE void pack_rows(const double* rows, long stride, int depth, int count, double* packed) {
+  for (int i = 0; i < count; i += group) {
+    const bool whole = i + group <= count;
+    for (int k = 0; k < depth; ++k, packed += group) {
+      vector_at(packed) = vector_at(rows + k * stride + i);
+      if (whole) vector_at(packed + width) = vector_at(rows + k * stride + i + width);
+    }
+  }
+}
+
+REEBQUAD_ALWAYS_INLINE const double* packed_row(const double* packed, int depth, int row) {
+  return packed + long(row / group) * group * depth + row % group;
+}
+
+// The same as update_block for the rows from `first` to `count` of packed rows.
+template <int Vectors>
+REEBQUAD_ALWAYS_INLINE void update_packed_block(double* target, long target_stride, const double* packed,
+                                                int depth, int first, int count, bool is_zero) {
+  const double* pivots = packed_row(packed, depth, first);
+  int i = first;
+  if (Vectors > 1 && i % group != 0) {
+    update_tile<1>(target, target_stride, pivots, pivots, group, depth, is_zero);
+    i += width;
+  }
+  for (; i + Vectors * width <= count; i += Vectors * width)
+    update_tile<Vectors>(target + i - first, target_stride, packed_row(packed, depth, i), pivots, group,
+                         depth, is_zero);
+  for (; Vectors > 1 && i < count; i += width)
+    update_tile<1>(target + i - first, target_stride, packed_row(packed, depth, i), pivots, group, depth,
+                   is_zero);
+}
+
+// A triangle of blocks -= rows * rows': `target_of(b)` gives the place and the stride of block b, whose rows begin
+// at 4 b. Deep products go in slices, which leaves the order of the operations on an entry as it is.
+template <int Vectors, class Target_of>
+REEBQUAD_ALWAYS_INLINE void update_triangle(const double* rows, long stride, int depth, int count, int from,
+                                            int to, bool is_zero, double* scratch, Target_of target_of) {
+  if (count - width * from < smallest_packed || depth < width) {
+    for (int b = from; b < to; ++b) {
+      const Target target = target_of(b);
+      const double* first = rows + width * b;
+      update_block<Vectors>(target.place, target.stride, first, first, stride, depth, count - width * b,
+                            is_zero);
+    }
+    return;
+  }
+  for (int k = 0; k < depth; k += panel_slice) {
+    const int columns = depth - k < panel_slice ? depth - k : panel_slice;
+    const int skipped = width * from;
+    pack_rows(rows + k * stride + skipped, stride, columns, count - skipped, scratch);
+    for (int b = from; b < to; ++b) {
+      const Target target = target_of(b);
+      update_packed_block<Vectors>(target.place, target.stride, scratch, columns, width * b - skipped,
+                                   count - skipped, is_zero && k == 0);
+    }
+  }
 }
 
 // Factorizes the `Block` columns at `corner`, already updated by the columns before, and the `below` rows.
@@ -98,42 +164,48 @@ REEBQUAD_ALWAYS_INLINE int factorize_block(double* corner, long stride, int belo
 REEBQUAD_ALWAYS_INLINE int factorize_block(double* corner, long stride, int block, int below,
                                            const double* threshold) {
   switch (block) {
-  case 1:
-    return factorize_block<1>(corner, stride, below, threshold);
-  case 2:
-    return factorize_block<2>(corner, stride, below, threshold);
-  case 3:
-    return factorize_block<3>(corner, stride, below, threshold);
-  default:
-    return factorize_block<4>(corner, stride, below, threshold);
+  case 1: return factorize_block<1>(corner, stride, below, threshold);
+  case 2: return factorize_block<2>(corner, stride, below, threshold);
+  case 3: return factorize_block<3>(corner, stride, below, threshold);
+  default: return factorize_block<4>(corner, stride, below, threshold);
   }
 }
 
+// Blocks look left for their updates inside a slice of the panel; whole slices update what follows them.
 template <int Vectors>
 REEBQUAD_ALWAYS_INLINE int factorize_panel(double* panel, int columns, int leading_dimension,
-                                           const double* threshold) {
+                                           const double* threshold, double* scratch) {
   const long stride = leading_dimension;
-  for (int j = 0, block = first_block(columns); j < columns; j += block, block = width) {
-    double* corner = panel + j * stride + j;
-    if (j > 0)
-      update_block<Vectors>(corner, stride, panel + j, panel + j, stride, j, leading_dimension - j, false);
-    const int failed = factorize_block(corner, stride, block, leading_dimension - j - block, threshold + j);
-    if (failed >= 0) return j + failed;
+  for (int begin = 0, block = first_block(columns); begin < columns;) {
+    const int end = columns - begin <= panel_slice + width ? columns : begin + block + panel_slice - width;
+    for (int j = begin; j < end; j += block, block = width) {
+      double* corner = panel + j * stride + j;
+      const double* rows = panel + begin * stride + j;
+      update_block<Vectors>(corner, stride, rows, rows, stride, j - begin, leading_dimension - j, false);
+      const int failed = factorize_block(corner, stride, block, leading_dimension - j - block, threshold + j);
+      if (failed >= 0) return j + failed;
+    }
+    if (end == columns) break;
+    const auto target_of = [&](int b) __attribute__((always_inline)) {
+      return Target{panel + (end + width * b) * (stride + 1), stride};
+    };
+    update_triangle<Vectors>(panel + begin * stride + end, stride, end - begin, leading_dimension - end, 0,
+                             (columns - end) / width, false, scratch, target_of);
+    begin = end;
   }
   return -1;
 }
 
 template <int Vectors>
 REEBQUAD_ALWAYS_INLINE void update_rows(const double* panel, int columns, int padded_rows, double* update,
-                                        int from, int to, bool is_zero) {
-  const long stride = columns + padded_rows;
-  for (int b = from; b < to; ++b) {
-    const int count = padded_rows - width * b;
+                                        int from, int to, bool is_zero, double* scratch) {
+  const auto target_of = [&](int b) __attribute__((always_inline)) {
     // The blocks before hold 4 (padded_rows + (padded_rows - 4) + ...) numbers.
-    double* target = update + long(width) * b * padded_rows - long(width) * width * b * (b - 1) / 2;
-    const double* rows = panel + columns + width * b;
-    update_block<Vectors>(target, count, rows, rows, stride, columns, count, is_zero);
-  }
+    return Target{update + long(width) * b * padded_rows - long(width) * width * b * (b - 1) / 2,
+                  padded_rows - width * b};
+  };
+  update_triangle<Vectors>(panel + columns, columns + padded_rows, columns, padded_rows, from, to, is_zero,
+                           scratch, target_of);
 }
 
 template <int Sides>
@@ -159,18 +231,10 @@ REEBQUAD_ALWAYS_INLINE void forward_block(const double* corner, long stride, int
     }
   };
   switch (block) {
-  case 1:
-    subtract(std::integral_constant<int, 1>());
-    break;
-  case 2:
-    subtract(std::integral_constant<int, 2>());
-    break;
-  case 3:
-    subtract(std::integral_constant<int, 3>());
-    break;
-  default:
-    subtract(std::integral_constant<int, 4>());
-    break;
+  case 1: subtract(std::integral_constant<int, 1>()); break;
+  case 2: subtract(std::integral_constant<int, 2>()); break;
+  case 3: subtract(std::integral_constant<int, 3>()); break;
+  default: subtract(std::integral_constant<int, 4>()); break;
   }
 }
 
@@ -190,18 +254,10 @@ REEBQUAD_ALWAYS_INLINE void backward_block(const double* corner, long stride, in
       }
   };
   switch (block) {
-  case 1:
-    add(std::integral_constant<int, 1>());
-    break;
-  case 2:
-    add(std::integral_constant<int, 2>());
-    break;
-  case 3:
-    add(std::integral_constant<int, 3>());
-    break;
-  default:
-    add(std::integral_constant<int, 4>());
-    break;
+  case 1: add(std::integral_constant<int, 1>()); break;
+  case 2: add(std::integral_constant<int, 2>()); break;
+  case 3: add(std::integral_constant<int, 3>()); break;
+  default: add(std::integral_constant<int, 4>()); break;
   }
   for (int s = 0; s < Sides; ++s)
     for (int q = block - 1; q >= 0; --q) {
@@ -241,12 +297,13 @@ REEBQUAD_ALWAYS_INLINE void backward_panel(const double* panel, int columns, int
 }
 
 // The number of vectors in a tile leaves the unit's registers room for four columns of it.
-int factorize_portable(double* panel, int columns, int leading_dimension, const double* threshold) {
-  return factorize_panel<1>(panel, columns, leading_dimension, threshold);
+int factorize_portable(double* panel, int columns, int leading_dimension, const double* threshold,
+                       double* scratch) {
+  return factorize_panel<1>(panel, columns, leading_dimension, threshold, scratch);
 }
 void update_portable(const double* panel, int columns, int padded_rows, double* update, int from, int to,
-                     bool is_zero) {
-  update_rows<1>(panel, columns, padded_rows, update, from, to, is_zero);
+                     bool is_zero, double* scratch) {
+  update_rows<1>(panel, columns, padded_rows, update, from, to, is_zero, scratch);
 }
 void forward_portable(const double* panel, int columns, int leading_dimension, double* x, int sides) {
   forward_panel(panel, columns, leading_dimension, x, sides);
@@ -257,12 +314,13 @@ void backward_portable(const double* panel, int columns, int leading_dimension, 
 
 #if defined(__x86_64__)
 __attribute__((target("avx2"))) int factorize_avx2(double* panel, int columns, int leading_dimension,
-                                                   const double* threshold) {
-  return factorize_panel<2>(panel, columns, leading_dimension, threshold);
+                                                   const double* threshold, double* scratch) {
+  return factorize_panel<2>(panel, columns, leading_dimension, threshold, scratch);
 }
 __attribute__((target("avx2"))) void update_avx2(const double* panel, int columns, int padded_rows,
-                                                 double* update, int from, int to, bool is_zero) {
-  update_rows<2>(panel, columns, padded_rows, update, from, to, is_zero);
+                                                 double* update, int from, int to, bool is_zero,
+                                                 double* scratch) {
+  update_rows<2>(panel, columns, padded_rows, update, from, to, is_zero, scratch);
 }
 __attribute__((target("avx2"))) void forward_avx2(const double* panel, int columns, int leading_dimension,
                                                   double* x, int sides) {

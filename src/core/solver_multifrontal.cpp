@@ -42,6 +42,11 @@ private:
   std::size_t m_size = 0;
 };
 
+// What one thread needs besides the fronts.
+struct Scratch {
+  std::vector<double> threshold, packed;
+};
+
 // Fronts that one thread eliminates in order, with the update matrices that wait for their parents on a
 // stack.
 struct Task {
@@ -69,7 +74,7 @@ struct Multifrontal_solver::Implementation {
   void plan_tasks();
   std::size_t peak_of(const std::vector<int>& fronts, const std::vector<int>& task_of, int task) const;
   std::vector<char> dirty_fronts(const std::vector<double>& value) const;
-  int eliminate(int s, double* target, std::vector<double>& threshold, bool splits);
+  int eliminate(int s, double* target, Scratch& scratch, bool splits);
   void add_child(int child, const Front& parent, double* panel, double* target) const;
   int run(const Task& task, Numbers& stack, const std::vector<char>& dirty, bool splits);
   int eliminate_all(const std::vector<char>& dirty);
@@ -104,34 +109,40 @@ void Multifrontal_solver::Implementation::add_child(int child, const Front& pare
 }
 
 // Factorizes one front into the factor and its update matrix into `target`. Returns the failing column or -1.
-int Multifrontal_solver::Implementation::eliminate(int s, double* target, std::vector<double>& threshold,
-                                                   bool splits) {
+int Multifrontal_solver::Implementation::eliminate(int s, double* target, Scratch& scratch, bool splits) {
   const Front& front = tree.fronts[s];
   double* panel = factor.data() + front.panel_begin;
   const int ld = front.leading_dimension();
   std::fill_n(panel, front.panel_size(), 0.0);
   for (int k = tree.entry_begin[s]; k < tree.entry_begin[s + 1]; ++k)
     panel[tree.entry_target[k]] = matrix.value[tree.entry[k]];
-  threshold.resize(front.columns);
+  scratch.threshold.resize(front.columns);
+  if (scratch.packed.size() < std::size_t(internal::scratch_size(ld)))
+    scratch.packed.resize(internal::scratch_size(ld));
   for (int j = 0; j < front.columns; ++j)
-    threshold[j] = smallest_pivot_ratio * panel[std::size_t(j) * ld + j];
+    scratch.threshold[j] = smallest_pivot_ratio * panel[std::size_t(j) * ld + j];
 
   const bool is_leaf = tree.child_begin[s] == tree.child_begin[s + 1];
   if (!is_leaf) std::fill_n(target, front.update_size(), 0.0);
   for (int c = tree.child_begin[s]; c < tree.child_begin[s + 1]; ++c)
     add_child(tree.child[c], front, panel, target);
 
-  const int failed = kernels->factorize(panel, front.columns, ld, threshold.data());
+  const int failed =
+      kernels->factorize(panel, front.columns, ld, scratch.threshold.data(), scratch.packed.data());
   if (failed >= 0) return front.first + failed;
   const int rows = internal::padded(front.rows), blocks = rows / internal::pack;
+  const auto update_blocks = [&](int from, int to, double* packed) {
+    kernels->update(panel, front.columns, rows, target, from, to, is_leaf, packed);
+  };
   if (splits && double(rows) * rows * front.columns > 4e6) {
     // Blocks are independent; the first 29 % of them are half of the triangle.
     const int middle = int(0.29 * blocks);
-    std::thread other([&] { kernels->update(panel, front.columns, rows, target, 0, middle, is_leaf); });
-    kernels->update(panel, front.columns, rows, target, middle, blocks, is_leaf);
+    std::vector<double> packed(internal::scratch_size(ld));
+    std::thread other(update_blocks, 0, middle, packed.data());
+    update_blocks(middle, blocks, scratch.packed.data());
     other.join();
   } else {
-    kernels->update(panel, front.columns, rows, target, 0, blocks, is_leaf);
+    update_blocks(0, blocks, scratch.packed.data());
   }
   return -1;
 }
@@ -139,11 +150,11 @@ int Multifrontal_solver::Implementation::eliminate(int s, double* target, std::v
 // Eliminates the task's fronts, or those of them that are dirty. Returns the failing column or -1.
 int Multifrontal_solver::Implementation::run(const Task& task, Numbers& stack, const std::vector<char>& dirty,
                                              bool splits) {
-  std::vector<double> threshold;
+  Scratch scratch;
   if (is_incremental) {
     for (const int s : task.fronts) {
       if (!dirty[s]) continue;
-      const int failed = eliminate(s, update[s], threshold, splits);
+      const int failed = eliminate(s, update[s], scratch, splits);
       if (failed >= 0) return failed;
     }
     return -1;
@@ -153,7 +164,7 @@ int Multifrontal_solver::Implementation::run(const Task& task, Numbers& stack, c
   double* const end = begin + task.peak;
   double* top = begin;
   for (const int s : task.fronts) {
-    const int failed = eliminate(s, top, threshold, splits);
+    const int failed = eliminate(s, top, scratch, splits);
     if (failed >= 0) return failed;
     // The children's updates, at the top of this stack unless other tasks left them, are used up.
     double* place = top;

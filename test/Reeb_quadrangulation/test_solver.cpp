@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
+#include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 
@@ -102,20 +104,25 @@ Symmetric_matrix torus_matrix(int m, int n) {
 
 } // namespace
 
-TEST_CASE("the solution is that of a dense factorization, whatever the matrix's shape") {
+TEMPLATE_TEST_CASE("the solution is that of a dense factorization, whatever the matrix's shape", "",
+                   Multifrontal_solver, Cholmod_solver, Eigen_solver) {
   Sequence random(2);
+  TestType reused;
   for (const Named_matrix& named : definite_matrices()) {
     INFO(named.name);
     const Symmetric_matrix m = sparse(named.matrix);
-    Multifrontal_solver solver;
-    REQUIRE(bool(solver.factorize(m)));
-    const Eigen::VectorXd b = random_vector(m.size, random);
-    Eigen::VectorXd x = b;
-    REQUIRE(bool(solver.solve(x.data())));
-    CHECK(relative_residual(m, x.data(), b.data()) < 1e-14);
-    if (m.size == 0) continue;
-    const Eigen::VectorXd expected = named.matrix.ldlt().solve(b);
-    CHECK((x - expected).norm() <= 1e-11 * expected.norm());
+    TestType fresh;
+    for (TestType* solver : {&reused, &fresh}) {
+      REQUIRE(bool(solver->factorize(m)));
+      CHECK(solver->size() == m.size);
+      const Eigen::VectorXd b = random_vector(m.size, random);
+      Eigen::VectorXd x = b;
+      REQUIRE(bool(solver->solve(x.data())));
+      CHECK(relative_residual(m, x.data(), b.data()) < 1e-14);
+      if (m.size == 0) continue;
+      const Eigen::VectorXd expected = named.matrix.ldlt().solve(b);
+      CHECK((x - expected).norm() <= 1e-11 * expected.norm());
+    }
   }
 }
 
@@ -203,36 +210,96 @@ TEST_CASE("after a refusal an incremental solver is as good as a new one") {
   CHECK(same_bits(x, y));
 }
 
-TEST_CASE("a matrix that is not positive definite is refused by a row") {
+TEMPLATE_TEST_CASE("a matrix that is not positive definite is refused by a row", "", Multifrontal_solver,
+                   Cholmod_solver, Eigen_solver) {
   Sequence random(6);
   for (const Named_matrix& named : definite_matrices()) {
     INFO(named.name);
     if (named.matrix.rows() == 0) continue;
     const int row = random.below(int(named.matrix.rows()));
     for (const double value : {-1.0, 0.0, std::nan(""), double(INFINITY)}) {
+      INFO(value);
       Eigen::MatrixXd a = named.matrix;
       a(row, row) = value;
-      const auto refused = Multifrontal_solver().factorize(sparse(a));
+      TestType solver;
+      const auto refused = solver.factorize(sparse(a));
       REQUIRE(!refused);
       CHECK(refused.error().code == Error_code::solver_failure);
       CHECK(refused.error().index >= 0);
       CHECK(refused.error().index < a.rows());
       if (named.name == "diagonal") CHECK(refused.error().index == row);
+      CHECK(!solver.solve(a.data()));
+      REQUIRE(bool(solver.factorize(sparse(named.matrix))));
     }
   }
 }
 
-TEST_CASE("a closed surface's Laplacian without a constraint is singular and refused") {
+TEMPLATE_TEST_CASE("a closed surface's Laplacian without a constraint is singular and refused", "",
+                   Multifrontal_solver, Cholmod_solver, Eigen_solver) {
   for (const Triangle_surface& s :
-       {tiny::tetrahedron(), tiny::octahedron(), tiny::torus(7, 5), tiny::torus(80, 50)})
-    CHECK(!Multifrontal_solver().factorize(assemble(s, cotangent_weights(s)).matrix));
+       {tiny::tetrahedron(), tiny::octahedron(), tiny::torus(7, 5), tiny::torus(80, 50)}) {
+    CHECK(!TestType().factorize(assemble(s, cotangent_weights(s)).matrix));
+    CHECK(!TestType().factorize(assemble(s, uniform_weights(s)).matrix));
+  }
 }
 
-TEST_CASE("malformed matrices are refused before anything is computed") {
-  Multifrontal_solver solver;
+TEMPLATE_TEST_CASE("malformed matrices are refused before anything is computed", "", Multifrontal_solver,
+                   Cholmod_solver, Eigen_solver) {
+  TestType solver;
   CHECK(!solver.factorize({2, {0, 1}, {0}, {1}}));                // arrays of the wrong length
   CHECK(!solver.factorize({2, {0, 1, 2}, {0, 0}, {1, 1}}));       // a column without its diagonal
   CHECK(!solver.factorize({2, {0, 2, 3}, {0, 2, 1}, {1, 1, 1}})); // a row beyond the size
   CHECK(!solver.factorize({3, {0, 3, 4, 5}, {0, 2, 1, 1, 2}, {1, 1, 1, 1, 1}})); // rows out of order
   CHECK(!solver.solve(nullptr));
+}
+
+TEST_CASE("the three models agree on surfaces") {
+  Sequence random(7);
+  const Symmetric_matrix m = torus_matrix(110, 80);
+  const Eigen::VectorXd b = random_vector(m.size, random);
+  Eigen::VectorXd multifrontal = b, cholmod = b, dissected = b, eigen = b;
+  Multifrontal_solver a;
+  Cholmod_solver c, d(Cholmod_solver::Ordering::nested_dissection);
+  Eigen_solver e;
+  REQUIRE((bool(a.factorize(m)) && bool(a.solve(multifrontal.data()))));
+  REQUIRE((bool(c.factorize(m)) && bool(c.solve(cholmod.data()))));
+  REQUIRE((bool(d.factorize(m)) && bool(d.solve(dissected.data()))));
+  REQUIRE((bool(e.factorize(m)) && bool(e.solve(eigen.data()))));
+  for (const Eigen::VectorXd& x : {cholmod, dissected, eigen})
+    CHECK((x - multifrontal).lpNorm<Eigen::Infinity>() < 1e-10 * multifrontal.lpNorm<Eigen::Infinity>());
+}
+
+TEST_CASE("updates of CHOLMOD's factor are factorizations of the changed matrix") {
+  Sequence random(8);
+  Symmetric_matrix m = torus_matrix(40, 30);
+  const Symmetric_matrix original = m;
+  Cholmod_solver updated, fresh;
+  REQUIRE(bool(updated.factorize(m)));
+  const auto check_equal = [&](double tolerance) {
+    const Eigen::VectorXd b = random_vector(m.size, random);
+    Eigen::VectorXd x = b, y = b;
+    REQUIRE(bool(fresh.factorize(m)));
+    REQUIRE(bool(updated.solve(x.data())));
+    REQUIRE(bool(fresh.solve(y.data())));
+    CHECK((x - y).norm() < tolerance * y.norm());
+  };
+  const std::vector<int> rows = {3, 900, 17};
+  for (const int i : rows) m.value[m.column_begin[i]] += 50;
+  REQUIRE(bool(updated.add_to_diagonal(rows, {50, 50, 50})));
+  check_equal(1e-11);
+  for (const int i : rows) m.value[m.column_begin[i]] -= 50;
+  REQUIRE(bool(updated.add_to_diagonal(rows, {-50, -50, -50})));
+  check_equal(1e-10);
+
+  const int row = 444;
+  for (int j = 0; j < m.size; ++j)
+    for (int k = m.column_begin[j]; k < m.column_begin[j + 1]; ++k)
+      if (m.row[k] == row || j == row) m.value[k] = m.row[k] == j ? 1 : 0;
+  REQUIRE(bool(updated.delete_row(row)));
+  check_equal(1e-11);
+  m = original;
+  REQUIRE(bool(updated.add_row(row, m)));
+  check_equal(1e-11);
+  CHECK(!updated.add_to_diagonal({10}, {-1e6}));
+  CHECK(!updated.solve(m.value.data()));
 }
