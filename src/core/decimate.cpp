@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace CGAL {
@@ -51,20 +52,24 @@ void grow_patches(const Triangle_surface& s, double radius, Metric_graph& graph)
 // (by its halfedge `edge(h)`), and their number.
 struct Edge_nodes {
   std::vector<int> first, count;
+  bool is_any = false;
 };
 
 Edge_nodes subdivide_long_edges(const Triangle_surface& s, double spacing, Metric_graph& graph) {
   // A cap keeps the number of arcs across a face, quadratic in this, harmless on needles.
   const int most = 8;
   Edge_nodes nodes{std::vector<int>(s.number_of_halfedges(), -1),
-                   std::vector<int>(s.number_of_halfedges(), 0)};
+                   std::vector<int>(s.number_of_halfedges(), 0), false};
   for (int h = 0; h < s.number_of_halfedges(); ++h) {
     if (s.edge(h) != h) continue;
     const Point p = s.points[s.source(h)], q = s.points[s.target(h)];
-    const double ratio = (q - p).norm() / spacing;
+    const double squared = (q - p).squaredNorm();
+    if (squared <= spacing * spacing) continue;
+    const double ratio = std::sqrt(squared) / spacing;
     const int pieces = ratio < most + 1 ? int(std::ceil(ratio)) : most + 1;
+    nodes.is_any = true;
     nodes.first[h] = graph.size();
-    nodes.count[h] = std::max(0, pieces - 1);
+    nodes.count[h] = pieces - 1;
     for (int i = 1; i < pieces; ++i) {
       graph.vertex.push_back(2 * i <= pieces ? s.source(h) : s.target(h));
       graph.position.push_back(p + (q - p) * (double(i) / pieces));
@@ -85,8 +90,8 @@ using Arc = std::pair<int, int>;
 
 // Joins the nodes of a subdivided face: neighbours along a side, and every two nodes that are not on one
 // side.
-void join_across_face(const Triangle_surface& s, const Edge_nodes& nodes, int f, Metric_graph& graph,
-                      std::vector<Arc>& arcs) {
+void join_across_face(const Triangle_surface& s, const Edge_nodes& nodes, int f, double area,
+                      Metric_graph& graph, std::vector<Arc>& arcs) {
   std::vector<int> inner[3], all;
   int corner[3];
   for (int i = 0; i < 3; ++i) {
@@ -105,7 +110,7 @@ void join_across_face(const Triangle_surface& s, const Edge_nodes& nodes, int f,
     all.push_back(corner[i]);
     all.insert(all.end(), inner[i].begin(), inner[i].end());
   }
-  for (int n : all) graph.area[n] += face_area(s, f) / double(all.size());
+  for (int n : all) graph.area[n] += area / double(all.size());
 }
 
 // Sorts arcs into rows by counting, drops repetitions and measures lengths.
@@ -155,23 +160,24 @@ Metric_graph decimate(const Triangle_surface& surface, int nodes) {
   CGAL_precondition(nodes > 0);
   Metric_graph graph;
   // On fine meshes this sampling leaves one centre for about 1.5 squared radii (measured).
-  const double radius = std::sqrt(area(surface) / (1.5 * nodes));
+  std::vector<double> areas(surface.number_of_faces());
+  for (int f = 0; f < surface.number_of_faces(); ++f) areas[f] = face_area(surface, f);
+  const double radius = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0) / (1.5 * nodes));
   grow_patches(surface, radius, graph);
   const Edge_nodes inside = subdivide_long_edges(surface, 2 * radius, graph);
   graph.area.assign(graph.size(), 0.0);
   std::vector<Arc> arcs;
   for (int f = 0; f < surface.number_of_faces(); ++f) {
     int subdivided = 0;
-    for (int i = 0; i < 3; ++i) subdivided += inside.count[surface.edge(3 * f + i)];
+    for (int i = 0; i < 3 && inside.is_any; ++i) subdivided += inside.count[surface.edge(3 * f + i)];
     if (subdivided > 0) {
-      join_across_face(surface, inside, f, graph, arcs);
+      join_across_face(surface, inside, f, areas[f], graph, arcs);
       continue;
     }
-    const double third = face_area(surface, f) / 3;
     for (int i = 0; i < 3; ++i) {
       const int h = 3 * f + i;
       const int a = graph.node_of_vertex[surface.source(h)], b = graph.node_of_vertex[surface.target(h)];
-      graph.area[a] += third;
+      graph.area[a] += areas[f] / 3;
       if (a != b && surface.edge(h) == h) arcs.emplace_back(a, b);
     }
   }

@@ -301,6 +301,11 @@ Result<Suggestion> suggest_extrema(const Triangle_surface& surface, const Sugges
 
   const Metric_graph graph = decimate(surface, options.working_faces / 2);
   Graph_distances distances(graph);
+  if (const std::vector<double>& d = distances.from(0); std::isinf(*std::max_element(d.begin(), d.end())))
+    return make_error(Error_code::not_a_surface,
+                      "extrema are suggested for one component at a time; the surface has " +
+                          std::to_string(connected_components(surface).second),
+                      Element_kind::component, 1);
   const double radius = std::sqrt(options.relative_area * total);
   const std::vector<double> mu = integral_geodesic_function(graph, distances, radius, observer);
   if (mu.empty()) return make_error(Error_code::cancelled, "the suggestion of extrema was cancelled");

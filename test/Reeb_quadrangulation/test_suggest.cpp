@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tiny_surfaces.h"
 
+#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
+#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <set>
 
@@ -250,4 +253,31 @@ TEST_CASE("a coarse mesh of a solid gets extrema that are not adjacent") {
   const std::vector<int> v = vertices(suggest(s));
   for (int h = 0; h < s.number_of_halfedges(); ++h)
     CHECK_FALSE((std::count(v.begin(), v.end(), s.source(h)) && std::count(v.begin(), v.end(), s.target(h))));
+}
+
+TEST_CASE("scanned and modelled shapes get one extremum for each limb") {
+  const std::filesystem::path models = REEBQUAD_MODELS_DIR;
+  if (!std::filesystem::is_directory(models)) {
+    WARN("skipped: there are no models in " << models);
+    return;
+  }
+  struct Expected {
+    const char* file;
+    std::size_t extrema; // at a persistence of a tenth
+  };
+  // Octopus: eight arms and the head. Camel: four feet, snout and rump. Hand: five fingers and the wrist's end.
+  for (const Expected& expected : {Expected{"octopus.obj", 9},
+                                   {"camel.off", 6},
+                                   {"hand.obj", 6},
+                                   {"bunny.obj", 4},
+                                   {"rocker_arm.obj", 2}}) {
+    INFO(expected.file);
+    const auto soup = read_polygon_soup((models / expected.file).string());
+    REQUIRE(bool(soup));
+    const auto mended = mend_surface(*soup);
+    REQUIRE(bool(mended));
+    Suggestion_options options;
+    options.persistence = 0.1;
+    CHECK(suggest(mended->components.front().surface, options).extrema.size() == expected.extrema);
+  }
 }
