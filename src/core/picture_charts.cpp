@@ -65,7 +65,7 @@ void draw_axes(const Plot& p, Canvas& canvas) {
   for (double i = std::ceil(p.low / step - 1e-9); i * step <= p.high + 1e-9 * step; ++i) {
     const double x = std::round(p.x(i * step));
     canvas.rectangle(x, p.bottom, x + 1, p.bottom + p.size * 0.35, ink);
-    canvas.text(x + 0.5, p.bottom + 1.35 * p.size, p.size * 0.85, short_number(i * step, 6), ink, 0.5);
+    canvas.text(x + 0.5, p.bottom + 1.35 * p.size, p.size * 0.85, short_number(i * step + 0.0, 6), ink, 0.5);
   }
 }
 
@@ -88,7 +88,12 @@ void draw_texts(const Histogram& h, const Plot& p, int height, Canvas& canvas) {
   double y = p.top + 1.1 * p.size;
   for (std::size_t start = 0; start < h.note.size(); y += 1.35 * p.size) {
     const std::size_t end = std::min(h.note.find('\n', start), h.note.size());
-    canvas.text(p.left + p.size, y, p.size * 0.9, h.note.substr(start, end - start), ink);
+    const std::string line = h.note.substr(start, end - start);
+    const double left = p.left + p.size, size = p.size * 0.9;
+    // The grid would cross out the words.
+    canvas.rectangle(left - 3, y - size * 0.8, left + Canvas::text_width(size, line) + 3, y + size * 0.35,
+                     paper);
+    canvas.text(left, y, size, line, ink);
     start = end + 1;
   }
 }
@@ -144,9 +149,12 @@ Image contact_sheet(const Scene& scene, Up_axis up, int width, int height, const
   Image sheet = blank_image(width, height, options.background, options.transparent);
   const double size = std::min(std::max(cell_height / 24.0, 8.0), 22.0);
   for (int i = 0; i < 4; ++i) {
-    Image cell = render(bare, camera(views[i], up), cell_width, cell_height, options);
-    Canvas(cell).text(size, cell_height - size, size, names[i], Colour{140, 138, 144});
-    paste(cell, i % 2 * cell_width, i / 2 * cell_height, sheet);
+    const int left = i % 2 * cell_width, top = i / 2 * cell_height,
+              name_height = std::min(int(2 * size), cell_height - 1);
+    paste(render(bare, camera(views[i], up), cell_width, cell_height - name_height, options), left, top,
+          sheet);
+    Canvas(sheet).text(left + cell_width / 2.0, top + cell_height - 0.8 * size, size, names[i],
+                       Colour{140, 138, 144}, 0.5);
   }
   if (legend > 0) draw_legend(scene.legend, sheet, height - legend, legend);
   return sheet;

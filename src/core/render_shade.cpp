@@ -120,16 +120,16 @@ void Shader::enter_sides(const Scene::Face& face) {
   if (m_scene.drawn_sides.empty()) return;
   const unsigned drawn = m_scene.drawn_sides[m_piece.index / 2];
   const int degree = face[3] < 0 ? 3 : 4;
-  float longest = 0, area = 0;
+  float area = 0;
   for (int i = 0; i < degree; ++i) {
     const Eigen::Vector2f a = in_samples(m_projected.points[face[i]]);
     const Eigen::Vector2f b = in_samples(m_projected.points[face[(i + 1) % degree]]);
-    longest = std::max(longest, (b - a).norm());
     area += a.x() * b.y() - a.y() * b.x();
     if (drawn >> i & 1) m_piece.sides[m_piece.number_of_sides++] = {a, b};
   }
-  const float breadth = longest > 0 ? std::abs(area) / 2 / longest : 0;
-  m_piece.side_opacity = clamped(breadth / (3.0f * float(m_scene.side_width) * m_projected.pixel), 0.2f, 1);
+  const float size = std::sqrt(std::abs(area) / float(degree - 2)); // of a square or half-square of that area
+  const float room = clamped(size / (3.5f * float(m_scene.side_width) * m_projected.pixel), 0, 1);
+  m_piece.side_opacity = room * (0.35f + 0.65f * room);
 }
 
 void Shader::enter_level(const Scene::Face& face) {

@@ -197,7 +197,7 @@ TEST_CASE("Isolines lie where the field takes their values") {
   scene.isoline_width = 2;
   const Image image = render(scene, from_above(), 200, 200);
   // The square spans 7 to 193; the lines are at its quarters, and between them it is light.
-  for (const int x : {53, 100, 146}) CHECK(std::min({at(image, x - 1, 60).r, at(image, x, 60).r}) < 110);
+  for (const int x : {53, 100, 146}) CHECK(std::min(at(image, x - 1, 60).r, at(image, x, 60).r) < 110);
   for (const int x : {20, 76, 123, 180}) CHECK(at(image, x, 60).r > 180);
 }
 
@@ -281,6 +281,19 @@ TEST_CASE("A vertex's valence is the number of its quads, and a regular boundary
   CHECK(quad_scene(quad_cube()).dots.size() == 8);
   CHECK(quad_scene(quad_torus(5, 4)).dots.empty());
   CHECK(quad_scene(strip).dots.size() == 4);
+}
+
+TEST_CASE("A legend that is wider than the picture shrinks to fit") {
+  Scene scene;
+  for (int i = 0; i < 9; ++i) scene.legend.entries.push_back({black, "a long name of a colour"});
+  const Image image = render(scene, Camera(), 300, 200);
+  int last = 0, number = 0;
+  for (int x = 0; x < image.width; ++x)
+    for (int y = 0; y < image.height; ++y)
+      if (!is_white(at(image, x, y))) last = x, ++number;
+  CHECK(number > 100);
+  CHECK(last > 280);
+  CHECK(last < 296);
 }
 
 TEST_CASE("Low valences are green and high ones blue") {
@@ -383,6 +396,19 @@ TEST_CASE("A contact sheet holds four views that differ, and composing keeps the
   const Image sheet = contact_sheet(scene, Up_axis::z, 200, 170);
   REQUIRE(sheet.width == 200);
   REQUIRE(sheet.height == 170);
+  const auto part = [&](int left, int top) {
+    std::vector<unsigned char> pixels;
+    for (int y = top; y < top + 50; ++y)
+      for (int x = left; x < left + 100; ++x) pixels.push_back((unsigned char)at(sheet, x, y).r);
+    return pixels;
+  };
+  const auto is_empty = [](const std::vector<unsigned char>& p) {
+    return std::all_of(p.begin(), p.end(), [](unsigned char v) { return v == 255; });
+  };
+  std::vector<std::vector<unsigned char>> views{part(0, 0), part(100, 0), part(0, 76), part(100, 76)};
+  for (const auto& view : views) CHECK_FALSE(is_empty(view));
+  std::sort(views.begin(), views.end());
+  CHECK(std::adjacent_find(views.begin(), views.end()) == views.end());
   const Image one = render(red_square(), from_above(), 30, 20), two = render(Scene(), Camera(), 10, 40);
   const Image both = compose({one, two}, 2, 4);
   CHECK(both.width == 64);

@@ -31,7 +31,8 @@ struct Camera {
 /// The axis that points up in the model.
 enum class Up_axis { x, y, z };
 
-/// Named views of a model; front looks along the negative third axis in the cyclic order that ends with it.
+/// Named views of a model. For `front` the eye stands on the positive z, x or y axis where y, z or x is up; for `side` to
+/// the right of that.
 enum class View { three_quarter, front, side, back };
 
 Camera camera(View view, Up_axis up = Up_axis::y);
