@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 
+#include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -15,6 +17,9 @@ namespace Reeb_quadrangulation {
 namespace {
 
 constexpr double penalty_factor = 1e8; // the paper's alpha, relative to the largest diagonal entry
+// Updating CHOLMOD's factor costs about a hundredth of a factorization a row, and its errors add up.
+constexpr std::size_t most_updates = 10;
+constexpr int most_accumulated_updates = 100;
 constexpr double tolerated_overshoot =
     1e-6; // of the constraints' range, before weights are clamped everywhere
 
@@ -68,26 +73,55 @@ Neighbour_order order_around(const Triangle_surface& s, const std::vector<double
 } // namespace
 
 struct Harmonic_field::Implementation {
-  explicit Implementation(const Triangle_surface& s)
-      : surface(&s), weights(cotangent_weights(s)), component(component_representatives(s)) {}
+  explicit Implementation(const Triangle_surface& s) : surface(&s), component(component_representatives(s)) {}
 
   const Triangle_surface* surface;
-  Edge_weights weights;
+  std::optional<Edge_weights> weights; // cotangents, once they are asked for, unless others are set
   std::vector<int> component;
   std::map<int, double> constraints;
   Constraint_method method = Constraint_method::elimination;
+  std::optional<Laplace_system>
+      system; // of the whole surface; its pattern serves all weights and constraints
   Multifrontal_solver solver;
+  Cholmod_solver penalty_solver;
+  std::vector<double> penalized_values; // the matrix of the penalty solver's factor, without the penalties
+  std::vector<int> penalized;           // the constraints in it
+  int accumulated_updates = 0;
   double residual = 0;
 
+  const Edge_weights& current_weights();
+  void fill(const Edge_weights& used);
   Result<void> check_components() const;
-  Symmetric_matrix constrained_system(const Edge_weights& used, std::vector<double>& right_side) const;
   void eliminate(Symmetric_matrix& matrix, std::vector<double>& right_side) const;
-  void penalize(Symmetric_matrix& matrix, std::vector<double>& right_side) const;
+  double penalty_of(const Symmetric_matrix& matrix) const;
+  Result<void> factorize_penalized(const Symmetric_matrix& unconstrained, double penalty);
+  Result<void> solve_eliminated(Symmetric_matrix& matrix, std::vector<double>& b, std::vector<double>& x);
+  Result<void> solve_penalized(Symmetric_matrix& matrix, std::vector<double>& b, std::vector<double>& x);
   Result<std::vector<double>> solve(const Edge_weights& used);
   std::vector<int> spurious_extrema(const std::vector<double>& values) const;
   int raise_weights(Edge_weights& used, const std::vector<int>& vertices, double low) const;
   bool is_acceptable(const std::vector<double>& values, const std::vector<int>& wanted) const;
 };
+
+const Edge_weights& Harmonic_field::Implementation::current_weights() {
+  if (!weights) weights = cotangent_weights(*surface);
+  return *weights;
+}
+
+// Gives the system's matrix the values of these weights; vertices without a face become unknowns of their own.
+void Harmonic_field::Implementation::fill(const Edge_weights& used) {
+  const Triangle_surface& s = *surface;
+  if (!system) system = assemble(s, used);
+  Symmetric_matrix& m = system->matrix;
+  for (int v = 0; v < m.size; ++v) m.value[m.column_begin[v]] = component[v] < 0 ? 1 : 0;
+  for (int h = 0; h < s.number_of_halfedges(); ++h) {
+    if (s.edge(h) != h) continue;
+    const double w = used.of_halfedge[h];
+    m.value[system->entry_of_halfedge[h]] = -w;
+    m.value[m.column_begin[s.source(h)]] += w;
+    m.value[m.column_begin[s.target(h)]] += w;
+  }
+}
 
 Result<void> Harmonic_field::Implementation::check_components() const {
   std::vector<char> constrained(component.size(), 0);
@@ -102,16 +136,14 @@ Result<void> Harmonic_field::Implementation::check_components() const {
   return {};
 }
 
-// The rows and columns of constrained vertices become those of the identity. The pattern stays, so that one
-// analysis serves all constraints of a surface.
+// The rows and columns of constrained vertices become those of the identity. The pattern stays, so that one analysis
+// serves all constraints of a surface.
 void Harmonic_field::Implementation::eliminate(Symmetric_matrix& m, std::vector<double>& b) const {
   std::vector<char> fixed(m.size, 0);
   for (const auto& [v, value] : constraints) {
     fixed[v] = 1;
     b[v] = value;
   }
-  for (int v = 0; v < m.size; ++v)
-    if (component[v] < 0) fixed[v] = 1;
   for (int j = 0; j < m.size; ++j) {
     if (fixed[j]) m.value[m.column_begin[j]] = 1;
     for (int k = m.column_begin[j] + 1; k < m.column_begin[j + 1]; ++k) {
@@ -124,50 +156,78 @@ void Harmonic_field::Implementation::eliminate(Symmetric_matrix& m, std::vector<
   }
 }
 
-void Harmonic_field::Implementation::penalize(Symmetric_matrix& m, std::vector<double>& b) const {
+double Harmonic_field::Implementation::penalty_of(const Symmetric_matrix& m) const {
   double largest = 0;
   for (int j = 0; j < m.size; ++j) largest = std::max(largest, m.value[m.column_begin[j]]);
-  const double penalty = penalty_factor * largest;
-  for (const auto& [v, value] : constraints) {
-    m.value[m.column_begin[v]] += penalty;
-    b[v] = penalty * value;
-  }
-  for (int v = 0; v < m.size; ++v)
-    if (component[v] < 0) m.value[m.column_begin[v]] = 1;
+  return penalty_factor * largest;
 }
 
-Symmetric_matrix Harmonic_field::Implementation::constrained_system(const Edge_weights& used,
-                                                                    std::vector<double>& b) const {
-  Symmetric_matrix matrix = assemble(*surface, used).matrix;
-  b.assign(matrix.size, 0.0);
-  if (method == Constraint_method::elimination)
-    eliminate(matrix, b);
-  else
-    penalize(matrix, b);
-  return matrix;
+// Updates the last factor where only few constraints came or went since, and factorizes otherwise.
+Result<void> Harmonic_field::Implementation::factorize_penalized(const Symmetric_matrix& unconstrained,
+                                                                 double penalty) {
+  std::vector<int> wanted, changed;
+  for (const auto& [v, value] : constraints) wanted.push_back(v);
+  std::set_symmetric_difference(wanted.begin(), wanted.end(), penalized.begin(), penalized.end(),
+                                std::back_inserter(changed));
+  const bool updates = penalized_values == unconstrained.value && changed.size() <= most_updates &&
+                       accumulated_updates + int(changed.size()) <= most_accumulated_updates;
+  penalized_values.clear(); // until the factor is there
+  if (updates) {
+    std::vector<double> amounts;
+    for (const int v : changed) amounts.push_back(constraints.count(v) ? penalty : -penalty);
+    const Result<void> updated = penalty_solver.add_to_diagonal(changed, amounts);
+    if (!updated) return updated;
+    accumulated_updates += int(changed.size());
+  } else {
+    Symmetric_matrix matrix = unconstrained;
+    for (const int v : wanted) matrix.value[matrix.column_begin[v]] += penalty;
+    const Result<void> factorized = penalty_solver.factorize(matrix);
+    if (!factorized) return factorized;
+    accumulated_updates = 0;
+  }
+  penalized_values = unconstrained.value;
+  penalized = std::move(wanted);
+  return {};
+}
+
+Result<void> Harmonic_field::Implementation::solve_penalized(Symmetric_matrix& m, std::vector<double>& b,
+                                                             std::vector<double>& x) {
+  const double penalty = penalty_of(m);
+  for (const auto& [v, value] : constraints) b[v] = penalty * value;
+  Result<void> result = factorize_penalized(m, penalty);
+  for (const auto& [v, value] : constraints) m.value[m.column_begin[v]] += penalty;
+  x = b;
+  return result ? penalty_solver.solve(x.data()) : result;
+}
+
+Result<void> Harmonic_field::Implementation::solve_eliminated(Symmetric_matrix& m, std::vector<double>& b,
+                                                              std::vector<double>& x) {
+  eliminate(m, b);
+  const Result<void> factorized = solver.factorize(m);
+  x = b;
+  return factorized ? solver.solve(x.data()) : factorized;
 }
 
 Result<std::vector<double>> Harmonic_field::Implementation::solve(const Edge_weights& used) {
   const Result<void> determined = check_components();
   if (!determined) return determined.error();
-  std::vector<double> b;
-  const Symmetric_matrix matrix = constrained_system(used, b);
-  const Result<void> factorized = solver.factorize(matrix);
-  if (!factorized) return factorized.error();
-  std::vector<double> x = b;
-  const Result<void> solved = solver.solve(x.data());
+  fill(used);
+  Symmetric_matrix matrix = system->matrix;
+  std::vector<double> b(matrix.size, 0.0), x;
+  const Result<void> solved = method == Constraint_method::elimination ? solve_eliminated(matrix, b, x)
+                                                                       : solve_penalized(matrix, b, x);
   if (!solved) return solved.error();
   residual = relative_residual(matrix, x.data(), b.data());
-  if (!(residual <= largest_accepted_residual))
-    return make_error(Error_code::solver_failure,
-                      "The harmonic field's residual is too large: " + std::to_string(residual) + ".");
-  return x;
+  if (residual <= largest_accepted_residual) return x;
+  penalized_values.clear(); // the next solve starts from a new factorization
+  return make_error(Error_code::solver_failure,
+                    "The harmonic field's residual is too large: " + std::to_string(residual) + ".");
 }
 
 std::vector<int> Harmonic_field::Implementation::spurious_extrema(const std::vector<double>& f) const {
   std::vector<int> spurious;
   for (int v = 0; v < surface->number_of_vertices(); ++v)
-    if (component[v] >= 0 && !constraints.count(v) && order_around(*surface, f, v, true).is_extremum())
+    if (component[v] >= 0 && order_around(*surface, f, v, true).is_extremum() && !constraints.count(v))
       spurious.push_back(v);
   return spurious;
 }
@@ -198,6 +258,7 @@ bool Harmonic_field::Implementation::is_acceptable(const std::vector<double>& f,
     const Neighbour_order order = order_around(*surface, f, v, false);
     if (order.lower && order.higher) return false;
   }
+  if (constraints.empty()) return true; // and no face
   double low = constraints.begin()->second, high = low;
   for (const auto& [v, value] : constraints) {
     low = std::min(low, value);
@@ -218,15 +279,9 @@ Harmonic_field& Harmonic_field::operator=(Harmonic_field&&) noexcept = default;
 void Harmonic_field::set_weights(Weight_kind kind) {
   const Triangle_surface& s = *m_implementation->surface;
   switch (kind) {
-  case Weight_kind::cotangent:
-    m_implementation->weights = cotangent_weights(s);
-    break;
-  case Weight_kind::clamped_cotangent:
-    m_implementation->weights = clamped_cotangent_weights(s);
-    break;
-  case Weight_kind::uniform:
-    m_implementation->weights = uniform_weights(s);
-    break;
+  case Weight_kind::cotangent: m_implementation->weights = cotangent_weights(s); break;
+  case Weight_kind::clamped_cotangent: m_implementation->weights = clamped_cotangent_weights(s); break;
+  case Weight_kind::uniform: m_implementation->weights = uniform_weights(s); break;
   }
 }
 
@@ -237,6 +292,14 @@ void Harmonic_field::set_weights(Edge_weights weights) {
 
 void Harmonic_field::set_method(Constraint_method method) {
   m_implementation->method = method;
+}
+
+void Harmonic_field::set_threads(int threads) {
+  m_implementation->solver.set_threads(threads);
+}
+
+void Harmonic_field::set_incremental(bool incremental) {
+  m_implementation->solver.set_incremental(incremental);
 }
 
 Result<void> Harmonic_field::set_constraint(int vertex, double value) {
@@ -265,7 +328,7 @@ const std::map<int, double>& Harmonic_field::constraints() const {
 }
 
 Result<std::vector<double>> Harmonic_field::solve() {
-  return m_implementation->solve(m_implementation->weights);
+  return m_implementation->solve(m_implementation->current_weights());
 }
 
 Result<Locally_clamped_field>
@@ -275,7 +338,7 @@ Harmonic_field::solve_with_local_clamping(const std::vector<int>& wanted_extrema
   CGAL_precondition(0 < low && low <= high);
   CGAL_precondition(std::all_of(wanted_extrema.begin(), wanted_extrema.end(),
                                 [&](int v) { return 0 <= v && v < impl.surface->number_of_vertices(); }));
-  Edge_weights used = impl.weights;
+  Edge_weights used = impl.current_weights();
   Result<std::vector<double>> solved = impl.solve(used);
   if (!solved) return solved.error();
   Locally_clamped_field field;

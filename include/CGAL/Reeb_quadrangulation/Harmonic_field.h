@@ -34,7 +34,7 @@ struct Locally_clamped_field {
 /// loops).
 ///
 /// Free boundaries have natural conditions. Vertices without a face get the value 0. The solver's analysis is
-/// made once a surface, and a change of few constraints refactorizes only what depends on them.
+/// made once a surface.
 class Harmonic_field {
 public:
   /// Keeps a reference: `surface` must outlive the field and stay as it is. \pre It is connected by
@@ -47,6 +47,11 @@ public:
   void set_weights(Weight_kind kind);        ///< default: cotangent
   void set_weights(Edge_weights weights);    ///< any symmetric weights. \pre one for each halfedge
   void set_method(Constraint_method method); ///< default: elimination
+  void set_threads(int threads); ///< of the elimination's factorizations; changes no bit of the result
+
+  /// Whether the next solve after a change of few constraints or weights reuses most of the factorization, for about
+  /// twice the memory and the same bits (elimination); see `Multifrontal_solver::set_incremental()`. Off at first.
+  void set_incremental(bool incremental);
 
   /// Adds a constraint, or changes its value. Fails with `impossible_request` where the vertex does not exist
   /// or the value is not finite.
