@@ -413,6 +413,21 @@ TEST_CASE("Distances are fractions of the diagonal, to and from the input") {
   CHECK(certify({moved, &input}, options).check("distance").status == Check_status::passed);
 }
 
+TEST_CASE("Fewer samples of the input are taken where that is asked for") {
+  const Quad_mesh quads = tiny::quad_cube();
+  Triangle_surface input = tiny::triangulated(tiny::subdivided(quads)); // 26 vertices
+  input.points[1] = Point(3, 0, 0);                                     // far from the quads
+  const auto farthest = [&](int samples) {
+    Certificate_options options;
+    options.distance_samples = samples;
+    return certify({quads, &input}, options).distance->input_vertices.farthest;
+  };
+  CHECK(farthest(0) == 1);
+  CHECK(farthest(26) == 1);
+  CHECK(farthest(25) != 1); // every second vertex: 0, 2, 4, ...
+  CHECK(farthest(1) == 0);
+}
+
 TEST_CASE("A missing limb shows in the distance from the input only") {
   const Quad_mesh both = tiny::two_cubes();
   const Triangle_surface input = tiny::triangulated(both);

@@ -48,8 +48,9 @@ struct Certificate_options {
   /// The distance check fails above this fraction of the input's bounding box diagonal; infinity: only
   /// measure.
   double maximum_distance = std::numeric_limits<double>::infinity();
-  /// At most about so many input vertices (every k-th) are measured to the quads; 0: all of them.
-  int distance_samples = 0;
+  /// At most about so many input vertices (every k-th) are measured to the quads; 0: all of them. The other
+  /// direction, from the quads to the input, always takes all.
+  int distance_samples = 100000;
   /// Intersecting pairs are listed up to this number; the check then says that there are at least so many.
   int maximum_intersections = 100000;
   /// May be null. If it cancels, the costly parts that are not finished are left `not_checked`.
