@@ -21,17 +21,13 @@ using internal::Surface_editor;
 
 const double pi = 3.14159265358979323846;
 
-double cotangent(double degrees) {
-  return 1 / std::tan(degrees * pi / 180);
-}
-
-// The cotangent of a triangle's smallest angle, infinite if it has no area. It grows as the triangle gets worse,
-// and, unlike a cosine, tells needles apart.
+// The squared cotangent of a triangle's smallest angle, infinite if it has no area. It grows as the triangle gets
+// worse, and, unlike a cosine, tells needles apart.
 double badness(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - b, w = a - c;
-  const double area = u.cross(v).norm();
+  const double area = u.cross(v).squaredNorm();
   const double dot = std::max({-u.dot(v), -v.dot(w), -w.dot(u)});
-  return area > 0 ? dot / area : std::numeric_limits<double>::infinity();
+  return area > 0 ? dot * dot / area : std::numeric_limits<double>::infinity();
 }
 
 double badness(const Triangle_surface& s, int f) {
@@ -39,8 +35,11 @@ double badness(const Triangle_surface& s, int f) {
   return badness(s.points[t[0]], s.points[t[1]], s.points[t[2]]);
 }
 
+double badness_of_angle(double degrees) {
+  return 1 / std::pow(std::tan(degrees * pi / 180), 2);
+}
 double angle_of(double badness) {
-  return std::atan2(1, badness) * 180 / pi;
+  return std::atan(1 / std::sqrt(badness)) * 180 / pi;
 }
 
 double diagonal(const Triangle_surface& s) {
@@ -66,7 +65,8 @@ class Preparation {
 public:
   Preparation(Triangle_surface surface, const Prepare_options& options, Observer* observer)
       : m_surface(std::move(surface)), m_options(options), m_observer(observer), m_editor(m_surface),
-        m_poor_badness(cotangent(options.poor_angle)), m_sliver_badness(cotangent(options.sliver_angle)) {}
+        m_poor_badness(badness_of_angle(options.poor_angle)),
+        m_sliver_badness(badness_of_angle(options.sliver_angle)) {}
 
   Result<Prepared_surface> run() {
     m_inputs = m_surface.number_of_vertices();
@@ -203,7 +203,7 @@ bool Preparation::is_flip_good(int h) const {
   if (!(deviation <= allowed * m_diagonal * width)) return false;
   // A face that is lower than the tolerance takes the normal of the other.
   Point normal_f = (b - a).cross(c - a), normal_g = (d - a).cross(b - a);
-  const double low = flat_tolerance * m_diagonal * (b - a).norm();
+  const double low = allowed * m_diagonal * (b - a).norm();
   if (normal_f.norm() <= low) normal_f = normal_g;
   if (normal_g.norm() <= low) normal_g = normal_f;
   const double least = std::cos(m_options.sharp_angle * pi / 180);

@@ -478,8 +478,6 @@ TEST_CASE("samplings are fast enough to follow a drag", "[time]") {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   };
   const Random_layout small(1, 6, 2), large(2, 270, 5);
-  WARN(small.problem.edges.size() << " edges: " << milliseconds(small.problem, 0.1) << " ms, "
-                                  << large.problem.edges.size()
-                                  << " edges: " << milliseconds(large.problem, 0.1) << " ms");
-  CHECK(milliseconds(large.problem, 0.1) < 2000); // generous: sanitizers and shared machines
+  CHECK(milliseconds(small.problem, 0.1) < 100); // generous: sanitizers and shared machines
+  CHECK(milliseconds(large.problem, 0.1) < 2000);
 }

@@ -21,7 +21,9 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// What to prepare. Lengths are in the units of the surface, angles in degrees.
+/// What to prepare. Lengths are in the units of the surface, angles in degrees. For quads of edge length h good
+/// values are `max_edge` about 0.7 h (where the input is coarser), `min_edge` about 0.02 h, and a `max_deviation`
+/// of 0.02 h over the diagonal where the input has many slivers along sharp edges.
 struct Prepare_options {
   double max_edge = 0;      ///< edges longer than this are bisected; 0: none
   int max_faces = 400000;   ///< bisection stops at so many faces
