@@ -4,6 +4,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -221,7 +222,7 @@ private:
       for (int v : m_chart.walks[w].vertices) walk_of[v] = static_cast<signed char>(w);
     const int n = mesh.number_of_halfedges();
     for (int h = 0; h < n; ++h) {
-      if (mesh.opposite[h] < h) continue;
+      if (mesh.opposite[h] < h) continue; // the border, or seen from the other side
       const int a = mesh.source(h), b = mesh.target(h);
       if (walk_of[a] < 0 || walk_of[a] != walk_of[b]) continue;
       split_edge(h);
@@ -233,6 +234,7 @@ private:
     Triangle_surface& mesh = m_chart.mesh;
     const int g = mesh.opposite[h], a = mesh.source(h), b = mesh.target(h);
     const int m = add_vertex(-1, 0.5 * (mesh.points[a] + mesh.points[b]));
+    m_chart.split_chords.push_back({a, b});
     const int h_far = cut_face(h, m), g_far = cut_face(g, m); // the new halfedges m -> b and m -> a
     pair(h, g_far);
     pair(g, h_far);
@@ -281,8 +283,40 @@ int find_root(std::vector<int>& parent, int i) {
 
 } // namespace
 
+namespace {
+
+using Border_set = std::vector<std::pair<int, bool>>; // contour edges with the side of the chart, sorted
+
+// The contour edges around each region, with true where the region is on their left.
+std::vector<Border_set> borders_of_regions(const Embedding& embedding, const std::vector<int>& region_of_face,
+                                           std::size_t regions) {
+  std::vector<Border_set> borders(regions);
+  for (int h = 0; h < embedding.surface.number_of_halfedges(); ++h) {
+    const int wall = embedding.wall_of[h];
+    if (wall < 0 || embedding.walls[wall].segment != 0) continue;
+    borders[region_of_face[h / 3]].push_back({embedding.walls[wall].edge, embedding.walls[wall].forward});
+  }
+  for (Border_set& border : borders) std::sort(border.begin(), border.end());
+  return borders;
+}
+
+std::map<Border_set, int> charts_by_border(const Atlas& atlas) {
+  std::vector<Border_set> borders(atlas.charts.size());
+  for (std::size_t e = 0; e < atlas.charts_of_edge.size(); ++e)
+    for (int side = 0; side < 2; ++side)
+      if (const int c = atlas.charts_of_edge[e][side]; c >= 0) borders[c].push_back({int(e), side == 0});
+  std::map<Border_set, int> result;
+  for (std::size_t c = 0; c < borders.size(); ++c) {
+    std::sort(borders[c].begin(), borders[c].end());
+    result[borders[c]] = int(c);
+  }
+  return result;
+}
+
+} // namespace
+
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
-                          const std::vector<int>& extrema) {
+                          const std::vector<int>& extrema, const Atlas* previous, std::vector<int>* reused) {
   Atlas atlas;
   atlas.charts_of_edge.assign(network.edges.size(), {-1, -1});
   const std::vector<std::vector<int>> regions = flood_regions(embedding, atlas.chart_of_face);
@@ -290,8 +324,18 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
     if (const int wall = embedding.wall_of[h]; wall >= 0)
       atlas.charts_of_edge[embedding.walls[wall].edge][embedding.walls[wall].forward ? 0 : 1] =
           atlas.chart_of_face[h / 3];
+  std::map<Border_set, int> known;
+  if (previous) known = charts_by_border(*previous);
+  const std::vector<Border_set> borders = borders_of_regions(embedding, atlas.chart_of_face, regions.size());
   Chart_builder builder(embedding, network, extrema);
+  if (reused) reused->clear();
   for (std::size_t r = 0; r < regions.size(); ++r) {
+    const auto found = known.find(borders[r]);
+    if (reused) reused->push_back(found == known.end() ? -1 : found->second);
+    if (found != known.end()) {
+      atlas.charts.push_back(previous->charts[found->second]);
+      continue;
+    }
     Result<Chart> chart = builder.build(regions[r], int(r));
     if (!chart) return chart.error();
     atlas.charts.push_back(std::move(*chart));
@@ -314,10 +358,15 @@ int Reeb_graph::loops() const {
 Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network) {
   std::vector<int> parent(network.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);
-  for (const Contour_edge& e : network.edges) parent[find_root(parent, e.from)] = find_root(parent, e.to);
+  for (const Contour_edge& e : network.edges)
+    if (!network.is_removed(e)) parent[find_root(parent, e.from)] = find_root(parent, e.to);
   Reeb_graph graph;
   std::vector<int> contour_of_node(network.nodes.size(), -1);
   for (const Contour_edge& e : network.edges) {
+    if (network.is_removed(e)) {
+      graph.contour_of_edge.push_back(-1);
+      continue;
+    }
     int& contour = contour_of_node[find_root(parent, e.from)];
     if (contour < 0) {
       contour = graph.number_of_nodes();

@@ -12,6 +12,7 @@ namespace Reeb_quadrangulation {
 Point Contour_network::position(const Triangle_surface& surface, int vertex) const {
   if (!is_crossing(vertex)) return surface.points[vertex];
   const Edge_crossing& c = crossing(vertex);
+  if (c.halfedge < 0) return Point(0, 0, 0);
   const Point &p = surface.points[surface.source(c.halfedge)],
               &q = surface.points[surface.target(c.halfedge)];
   return p + c.t * (q - p);

@@ -132,8 +132,8 @@ public:
 
 private:
   void sort_crossings() {
-    m_by_edge.resize(m_network.crossings.size());
-    for (int c = 0; c < int(m_by_edge.size()); ++c) m_by_edge[c] = c;
+    for (int c = 0; c < int(m_network.crossings.size()); ++c)
+      if (m_network.crossings[c].halfedge >= 0) m_by_edge.push_back(c);
     std::sort(m_by_edge.begin(), m_by_edge.end(), [&](int a, int b) {
       const Edge_crossing &x = m_network.crossings[a], &y = m_network.crossings[b];
       return x.halfedge != y.halfedge ? x.halfedge < y.halfedge : x.t < y.t;

@@ -3,39 +3,47 @@
 
 #include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
 #include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
+#include <CGAL/Reeb_quadrangulation/thin_charts.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <thread>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-Sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights) {
-  Sampling_problem problem;
-  for (const Contour_edge& edge : layout.network.edges) {
+Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights) {
+  Layout_sampling_problem result;
+  std::vector<int> index(layout.network.edges.size(), -1);
+  double longest = 0;
+  for (std::size_t i = 0; i < layout.network.edges.size(); ++i) {
+    const Contour_edge& edge = layout.network.edges[i];
+    if (layout.network.is_removed(edge)) continue;
     Sampling_edge e;
-    for (std::size_t i = 1; i < edge.vertices.size(); ++i)
-      e.length += (layout.embedding.surface.points[edge.vertices[i]] -
-                   layout.embedding.surface.points[edge.vertices[i - 1]])
+    for (std::size_t k = 1; k < edge.vertices.size(); ++k)
+      e.length += (layout.embedding.surface.points[edge.vertices[k]] -
+                   layout.embedding.surface.points[edge.vertices[k - 1]])
                       .norm();
     e.minimum = edge.from == edge.to ? 4 : 2;
-    problem.edges.push_back(e);
+    longest = std::max(longest, e.length);
+    index[i] = int(result.edges.size());
+    result.edges.push_back(int(i));
+    result.problem.edges.push_back(e);
   }
   // A contour whose points all coincide still needs a positive wish.
-  double longest = 0;
-  for (const Sampling_edge& e : problem.edges) longest = std::max(longest, e.length);
-  for (Sampling_edge& e : problem.edges) e.length = std::max(e.length, 1e-9 * longest);
+  for (Sampling_edge& e : result.problem.edges) e.length = std::max(e.length, 1e-9 * longest);
   for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
     const Chart& chart = layout.atlas.charts[c];
     Sampling_chart s;
     s.kind = chart.kind == Chart_kind::disc ? Sampling_chart::Kind::disc : Sampling_chart::Kind::annulus;
     s.height = heights[c];
     for (const Walk& walk : chart.walks)
-      for (const Walk_edge& e : walk.edges) (walk.side == Side::low ? s.low : s.high).push_back(e.edge);
-    problem.charts.push_back(std::move(s));
+      for (const Walk_edge& e : walk.edges)
+        (walk.side == Side::low ? s.low : s.high).push_back(index[e.edge]);
+    result.problem.charts.push_back(std::move(s));
   }
-  return problem;
+  return result;
 }
 
 namespace {
@@ -82,7 +90,24 @@ private:
   }
 
   Result<void> prepare() {
-    m_result.working_surface = m_input;
+    if (!m_options.prepare) {
+      m_result.working_surface = m_input;
+      return {};
+    }
+    double area = 0;
+    for (const Triangle& t : m_input.triangles)
+      area += 0.5 * (m_input.points[t[1]] - m_input.points[t[0]])
+                        .cross(m_input.points[t[2]] - m_input.points[t[0]])
+                        .norm();
+    const double h = m_options.edge_length > 0 ? m_options.edge_length : std::sqrt(area / m_options.quads);
+    Prepare_options options;
+    options.max_edge = h;
+    options.min_edge = 1e-3 * h;
+    Result<Prepared_surface> prepared = prepare_surface(m_input, options, m_clock.observer());
+    if (!prepared) return prepared.error();
+    m_result.working_surface = std::move(prepared->surface);
+    m_result.preparation = prepared->report;
+    m_loops = boundary_loops(m_result.working_surface);
     return {};
   }
 
@@ -152,29 +177,136 @@ private:
   }
 
   Result<void> parameterize() {
+    m_maps.clear();
+    m_maps.resize(m_result.layout.atlas.charts.size());
+    std::vector<int> all(m_maps.size(), -1);
+    return prepare_maps(all);
+  }
+
+  // Prepares the maps of the charts that have none yet (`reused[c] < 0`).
+  Result<void> prepare_maps(const std::vector<int>& reused) {
     const std::vector<Chart>& charts = m_result.layout.atlas.charts;
-    m_maps.resize(charts.size());
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
+      if (reused[c] >= 0) return {};
       Result<Chart_parameterization> map = Chart_parameterization::prepare(charts[c]);
       if (!map) return map.error();
       m_maps[c] = std::move(*map);
       return {};
     });
     if (!done) return done;
+    m_result.chart_height.assign(charts.size(), 0);
     for (std::size_t c = 0; c < charts.size(); ++c)
-      m_result.chart_height.push_back(charts[c].kind == Chart_kind::annulus ? m_maps[c].profile().total()
-                                                                            : 0);
+      if (charts[c].kind == Chart_kind::annulus) m_result.chart_height[c] = m_maps[c].profile().total();
+    return {};
+  }
+
+  // Thin charts vanish one after the other, the thinnest first, as long as that gives charts again.
+  Result<void> collapse() {
+    if (!m_options.collapse_thin) return {};
+    std::set<std::vector<int>> refused;
+    for (;;) {
+      if (m_clock.cancelled()) return make_error(Error_code::cancelled, "cancelled by the user");
+      if (Result<void> sampled = solve_sampling(); !sampled) return sampled;
+      const std::vector<int> thin = thin_charts(0.5 * m_result.sampling.edge_length, refused);
+      if (thin.empty()) return {};
+      if (Result<bool> done = collapse_charts(thin); !done)
+        return done.error();
+      else if (*done)
+        continue;
+      // Together they failed: only the thinnest one, and never again if it fails alone.
+      if (Result<bool> done = collapse_charts({thin[0]}); !done)
+        return done.error();
+      else if (!*done)
+        refused.insert(contour_edges(thin[0]));
+    }
+  }
+
+  std::vector<int> contour_edges(int c) const {
+    std::vector<int> edges;
+    for (const Walk& walk : m_result.layout.atlas.charts[c].walks)
+      for (const Walk_edge& e : walk.edges) edges.push_back(e.edge);
+    std::sort(edges.begin(), edges.end());
+    return edges;
+  }
+
+  // Charts lower than `height` between contours of saddles alone, lowest first, no two of them on the same contour.
+  std::vector<int> thin_charts(double height, const std::set<std::vector<int>>& refused) const {
+    const Reeb_layout& layout = m_result.layout;
+    std::vector<int> thin;
+    for (int c = 0; c < int(layout.atlas.charts.size()); ++c) {
+      if (layout.atlas.charts[c].kind != Chart_kind::annulus || m_result.chart_height[c] >= height) continue;
+      const std::vector<int> edges = contour_edges(c);
+      const bool saddles = std::all_of(edges.begin(), edges.end(), [&](int e) {
+        return layout.network.nodes[layout.network.edges[e].from].kind == Node_kind::saddle &&
+               layout.network.nodes[layout.network.edges[e].to].kind == Node_kind::saddle;
+      });
+      if (saddles && !refused.count(edges)) thin.push_back(c);
+    }
+    std::sort(thin.begin(), thin.end(), [&](int a, int b) {
+      const double ha = m_result.chart_height[a], hb = m_result.chart_height[b];
+      return ha != hb ? ha < hb : a < b;
+    });
+    std::set<int> used;
+    std::vector<int> apart;
+    for (int c : thin) {
+      const Reeb_graph::Arc& arc = layout.graph.arcs[c];
+      if (used.count(arc.low) || used.count(arc.high)) continue;
+      used.insert(arc.low);
+      used.insert(arc.high);
+      apart.push_back(c);
+    }
+    return apart;
+  }
+
+  // False, with everything as it was, if the contours cannot be joined so that charts result.
+  Result<bool> collapse_charts(const std::vector<int>& thin) {
+    Reeb_layout& layout = m_result.layout;
+    Contour_network network = layout.network;
+    for (int c : thin) {
+      const Chart& chart = layout.atlas.charts[c];
+      if (Result<void> solved =
+              m_maps[c].solve_columns(chart, m_maps[c].natural(Side::low), m_maps[c].natural(Side::high));
+          !solved)
+        return solved.error();
+      if (!collapse_chart(m_result.working_surface, chart, m_maps[c], network)) return false;
+    }
+    Result<Embedding> embedding = embed(m_result.working_surface, network);
+    if (!embedding) return false;
+    std::vector<int> extrema = layout.critical.minima, reused;
+    extrema.insert(extrema.end(), layout.critical.maxima.begin(), layout.critical.maxima.end());
+    Result<Atlas> atlas = build_atlas(*embedding, network, extrema, &layout.atlas, &reused);
+    if (!atlas) return false;
+    layout.network = std::move(network);
+    layout.embedding = std::move(*embedding);
+    layout.atlas = std::move(*atlas);
+    layout.graph = reeb_graph(layout.atlas, layout.network);
+    std::vector<Chart_parameterization> maps(reused.size());
+    for (std::size_t c = 0; c < reused.size(); ++c)
+      if (reused[c] >= 0) maps[c] = std::move(m_maps[reused[c]]);
+    m_maps = std::move(maps);
+    m_result.collapsed_charts += int(thin.size());
+    if (Result<void> prepared = prepare_maps(reused); !prepared) return prepared.error();
+    return true;
+  }
+
+  Result<void> solve_sampling() {
+    const Layout_sampling_problem layout = sampling_problem(m_result.layout, m_result.chart_height);
+    Result<Sampling> sampling = m_options.edge_length > 0
+                                    ? sample_for_edge_length(layout.problem, m_options.edge_length)
+                                    : sample_for_quads(layout.problem, m_options.quads);
+    if (!sampling) return sampling.error();
+    m_result.sampling = std::move(*sampling);
+    m_samples.counts.assign(m_result.layout.network.edges.size(), 0);
+    for (std::size_t i = 0; i < layout.edges.size(); ++i)
+      m_samples.counts[layout.edges[i]] = m_result.sampling.counts[i];
+    if (m_result.sampling.worst_edge >= 0)
+      m_result.sampling.worst_edge = layout.edges[m_result.sampling.worst_edge];
+    m_result.sampling.counts = m_samples.counts;
     return {};
   }
 
   Result<void> sample() {
-    const Sampling_problem problem = sampling_problem(m_result.layout, m_result.chart_height);
-    Result<Sampling> sampling = m_options.edge_length > 0
-                                    ? sample_for_edge_length(problem, m_options.edge_length)
-                                    : sample_for_quads(problem, m_options.quads);
-    if (!sampling) return sampling.error();
-    m_result.sampling = std::move(*sampling);
-    m_samples.counts = m_result.sampling.counts;
+    if (Result<void> sampled = solve_sampling(); !sampled) return sampled;
     const Reeb_layout& layout = m_result.layout;
     m_samples.parameter =
         contour_parameters(layout.embedding, layout.network, layout.atlas, m_maps, m_options.sample_blend);

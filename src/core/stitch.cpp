@@ -73,6 +73,7 @@ std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
     }
   }
   for (std::size_t e = 0; e < n; ++e) {
+    if (network.is_removed(network.edges[e])) continue;
     parameter[e] = arc_lengths(embedding, network.edges[e]);
     if (sides[e] == 0) continue;
     std::vector<double> blended(parameter[e].size());
@@ -222,6 +223,7 @@ private:
     const std::vector<double>& p = m_samples.parameter[e];
     const std::vector<int>& v = m_network.edges[e].vertices;
     m_first_sample.push_back(int(m_out.mesh.points.size()));
+    if (v.empty()) return;
     std::size_t i = 0;
     for (int k = 1; k < m_samples.counts[e]; ++k) {
       const double at = double(k) / m_samples.counts[e];
@@ -289,6 +291,7 @@ private:
     std::vector<char> on_boundary(m_out.mesh.points.size(), 0);
     for (std::size_t e = 0; e < m_network.edges.size(); ++e) {
       const Contour_edge& edge = m_network.edges[e];
+      if (m_network.is_removed(edge)) continue;
       const bool boundary = m_atlas.charts_of_edge[e][0] < 0 || m_atlas.charts_of_edge[e][1] < 0;
       std::vector<int> inner;
       for (int k = 1; k < m_samples.counts[e]; ++k) inner.push_back(m_first_sample[e] + k - 1);

@@ -36,8 +36,10 @@ struct Chart {
   Triangle_surface mesh;
   std::vector<int> vertex_origin; ///< vertex of the embedding, or -1 for a vertex that split a chord
   std::vector<int> face_origin;   ///< face of the original surface
-  std::vector<Walk> walks;        ///< LOW then HIGH, or the only one
-  int extremum = -1;              ///< the local vertex of a disc's extremum
+  /// The ends of the chords that were split, for the vertices without origin, which are the last ones.
+  std::vector<std::array<int, 2>> split_chords;
+  std::vector<Walk> walks; ///< LOW then HIGH, or the only one
+  int extremum = -1;       ///< the local vertex of a disc's extremum
 
   const Walk& walk(Side side) const { return walks.size() > 1 && side == Side::high ? walks[1] : walks[0]; }
 };
@@ -66,8 +68,11 @@ struct Reeb_graph {
 
 /// Floods the faces between contours and boundaries, O(F), and checks each region: an annulus with one LOW and one HIGH
 /// walk, or a disc with one walk and exactly one vertex of `extrema` inside. Fails with `internal_error`, naming the chart.
+/// A chart of `previous` with the same contour edges on its walks is taken over as it is; `reused`, if given, gets its index
+/// there for each new chart, or -1. \pre Since then contour edges were only removed and added, and no crossing was moved.
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
-                          const std::vector<int>& extrema);
+                          const std::vector<int>& extrema, const Atlas* previous = nullptr,
+                          std::vector<int>* reused = nullptr);
 
 Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network);
 

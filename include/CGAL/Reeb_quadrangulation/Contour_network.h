@@ -14,7 +14,7 @@ enum class Side : signed char { low, high };
 
 /// A point where contours cross an edge of the surface.
 struct Edge_crossing {
-  int halfedge; ///< the edge's representative `surface.edge(h)`
+  int halfedge; ///< the edge's representative `surface.edge(h)`, or -1: a crossing that was removed
   double t;     ///< position from its source to its target, in (0, 1); unique on the edge
 };
 
@@ -43,12 +43,14 @@ struct Contour_edge {
 
 /// Contours embedded in a surface: the central structure from which charts are cut. A network vertex `i` is vertex `i`
 /// of the surface if `i < surface_vertices`, else the crossing `i - surface_vertices`. Contours meet in nodes only.
+/// Indices are for life: a crossing that was removed has no halfedge, an edge that was removed has no vertices.
 struct Contour_network {
   int surface_vertices = 0;
   std::vector<Edge_crossing> crossings;
   std::vector<Contour_node> nodes;
   std::vector<Contour_edge> edges;
 
+  bool is_removed(const Contour_edge& edge) const { return edge.vertices.empty(); }
   bool is_crossing(int vertex) const { return vertex >= surface_vertices; }
   const Edge_crossing& crossing(int vertex) const { return crossings[vertex - surface_vertices]; }
   Point position(const Triangle_surface& surface, int vertex) const;

@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
@@ -61,6 +62,7 @@ struct Quadrangulation {
   Designed_field field; ///< as solved, before the cleanup
   Sampling sampling;
   Relax_report relaxation;
+  Prepare_report preparation;
   int collapsed_charts = 0;         ///< thin charts that were removed by aligning their saddles
   std::vector<double> chart_height; ///< mean, per chart; 0 for discs
   int flipped_triangles = 0;        ///< of all charts' maps, 0 but for rounding
@@ -78,8 +80,13 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
 
-/// The integer problem of a layout whose charts have the given mean heights.
-Sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights);
+/// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left out: its edge `i` is
+/// contour edge `edges[i]` of the network.
+struct Layout_sampling_problem {
+  Sampling_problem problem;
+  std::vector<int> edges;
+};
+Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
