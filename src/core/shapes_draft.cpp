@@ -183,7 +183,8 @@ void shake(Draft& draft, double cell) {
   Random_sequence random;
   for (int v = 0; v < s.number_of_vertices(); ++v) {
     const Point n = normal(s, s.outgoing[v] / 3).normalized();
-    Point step(random.next(), random.next(), random.next());
+    Point step;
+    for (double& x : step) x = random.next();
     step -= n.dot(step) * n;
     if (!fixed[v]) s.points[v] += cell / 3 * step;
   }

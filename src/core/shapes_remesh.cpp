@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes_draft.h"
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,14 +36,19 @@ Triangle_surface remesh(const Draft& draft, double edge_length, const Projection
   for (const Triangle& t : draft.surface.triangles) mesh.add_face(Index(t[0]), Index(t[1]), Index(t[2]));
   auto crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
   for (const auto& [a, b] : draft.creases) crease[mesh.edge(mesh.halfedge(Index(a), Index(b)))] = true;
+  // With a projection of our own, CGAL finds the patches between creases by itself only where its preconditions are
+  // compiled in; given explicitly, every build remeshes alike.
+  auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch", 0).first;
+  namespace Pmp = CGAL::Polygon_mesh_processing;
+  Pmp::connected_components(mesh, patch, CGAL::parameters::edge_is_constrained_map(crease));
 
-  CGAL::Polygon_mesh_processing::isotropic_remeshing(
-      faces(mesh), edge_length, mesh,
-      CGAL::parameters::number_of_iterations(6)
-          .number_of_relaxation_steps(2)
-          .edge_is_constrained_map(crease)
-          .protect_constraints(true)
-          .projection_functor(Vertex_projection{&mesh, &project}));
+  Pmp::isotropic_remeshing(faces(mesh), edge_length, mesh,
+                           CGAL::parameters::number_of_iterations(6)
+                               .number_of_relaxation_steps(2)
+                               .edge_is_constrained_map(crease)
+                               .face_patch_map(patch)
+                               .protect_constraints(true)
+                               .projection_functor(Vertex_projection{&mesh, &project}));
 
   mesh.collect_garbage();
   Triangle_surface result;
