@@ -111,6 +111,8 @@ void Chart_parameterization::choose_seam(const Chart& chart) {
     m_jump[mesh.opposite[h]] = 1;
     h = entry[h / 3];
   }
+  m_jump[h] = 1; // the strip begins and ends by crossing a border edge, which runs east on the LOW walk
+  m_jump[exit] = -1;
   const auto index = [](const Walk& walk, int v) {
     return int(std::find(walk.vertices.begin(), walk.vertices.end(), v) - walk.vertices.begin());
   };

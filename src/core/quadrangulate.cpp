@@ -63,6 +63,7 @@ public:
                                                   {"field", &Pipeline::solve_field},
                                                   {"layout", &Pipeline::cut},
                                                   {"charts", &Pipeline::parameterize},
+                                                  {"thin charts", &Pipeline::collapse},
                                                   {"sampling", &Pipeline::sample},
                                                   {"textures", &Pipeline::place},
                                                   {"stitching", &Pipeline::join},
