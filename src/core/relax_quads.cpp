@@ -30,8 +30,8 @@ void make_rectangle(Point& u, Point& v, const Point& outward) {
   }
 }
 
-// Where vertex v would be if its quads were rectangles; small quads count for more, as their errors do.
-Point wanted_position(const State& state, int v) {
+// Where vertex v would be if its quads were rectangles.
+Point wanted_position(const State& state, const Regime& regime, int v) {
   Point sum = Point::Zero(), around = Point::Zero();
   double weights = 0;
   for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
@@ -42,38 +42,43 @@ Point wanted_position(const State& state, int v) {
     const Point centre = 0.25 * (x0 + x1 + x2 + x3);
     Point a = 0.25 * (x1 - x0 + x2 - x3), b = 0.25 * (x3 - x0 + x2 - x1);
     make_rectangle(a, b, state.normal(v));
-    const double size = a.norm() + b.norm();
-    if (!(size > 0)) continue;
-    const double weight = 1 / (size * size);
+    const double la = a.norm(), lb = b.norm();
+    if (!(la > 0 && lb > 0)) continue;
+    if (regime.memory > 0) {
+      const std::array<double, 2>& original = state.original_lengths[state.corners[k] / 4];
+      a *= 1 + regime.memory * (original[0] / la - 1);
+      b *= 1 + regime.memory * (original[1] / lb - 1);
+    }
+    const double weight = std::pow(la + lb, -regime.favour_small);
     sum += weight * (centre + (i == 1 || i == 2 ? a : Point(-a)) + (i >= 2 ? b : Point(-b)));
     around += weight * 0.5 * (p[q[(i + 1) % 4]] + p[q[(i + 3) % 4]]);
     weights += weight;
   }
   if (!(weights > 0)) return state.mesh.points[v];
-  return (0.85 * sum + 0.15 * around) / weights;
+  return ((1 - regime.evenness) * sum + regime.evenness * around) / weights;
 }
 
-bool try_step(State& state, int v, const Point& target, double good_enough, bool lenient) {
+bool try_step(State& state, int v, const Point& target, const Sweep& sweep) {
   const Step step = state.constrain(v, target);
-  const double before = state.worst_around(v, state.mesh.points[v]);
-  // Where quads are inverted, steps towards rectangles untangle best when nothing holds them back.
-  if (!(lenient && before <= 0) && state.worst_around(v, step.point) < std::min(before, good_enough))
-    return false;
+  const double before = state.worst_around(v);
+  // Where quads are inverted, steps towards rectangles may untangle best when nothing holds them back.
+  const bool free = sweep.lenient && before <= 0;
+  if (!free && state.worst_around(v, step) < std::min(before, sweep.good_enough)) return false;
   state.move(v, step);
   return true;
 }
 
 } // namespace
 
-int smooth(State& state, double damping, double good_enough, bool lenient) {
+int smooth(State& state, const Regime& regime, const Sweep& sweep) {
+  constexpr double damping = 0.9;
   std::vector<char> accepted(state.number_of_vertices(), 0);
   for (const std::vector<int>& colour : state.colours)
     parallel_for(int(colour.size()), state.threads, [&](int i) {
       const int v = colour[i];
-      if (state.sites[v].freedom == Freedom::fixed) return;
-      const Point from = state.mesh.points[v], way = damping * (wanted_position(state, v) - from);
-      accepted[v] = try_step(state, v, from + way, good_enough, lenient) ||
-                    try_step(state, v, from + 0.4 * way, good_enough, lenient);
+      if (state.sites[v].freedom == Freedom::fixed || (sweep.mask && !(*sweep.mask)[v])) return;
+      const Point from = state.mesh.points[v], way = damping * (wanted_position(state, regime, v) - from);
+      accepted[v] = try_step(state, v, from + way, sweep) || try_step(state, v, from + 0.4 * way, sweep);
     });
   return int(std::count(accepted.begin(), accepted.end(), 1));
 }
@@ -147,9 +152,12 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
     if (observer) observer->progress("relax", double(i) / options.iterations);
     // The first sweeps may pass through worse quads than the last ones.
     const bool early = i < options.iterations / 2;
-    if (relaxation::smooth(state, 0.9, early ? 0.2 : 0.5, early) == 0) break;
+    if (relaxation::smooth(state, {}, {early ? 0.2 : 0.5, early, nullptr}) == 0) break;
   }
-  if (options.untangle) relaxation::untangle(state, 0.2, 20, observer);
+  if (options.untangle) {
+    relaxation::untangle(state, 0.2, 20, nullptr, observer);
+    relaxation::repair(state, observer);
+  }
   if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
 
   Quality after = measure(mesh);

@@ -158,6 +158,11 @@ State::State(Quad_mesh& m, const Triangle_surface& in, const Surface_projector& 
   }
 
   m_normals.assign(nv, Point::Zero());
+  for (const Quad& q : mesh.quads) {
+    const auto& p = mesh.points;
+    original_lengths.push_back({(0.25 * (p[q[1]] - p[q[0]] + p[q[2]] - p[q[3]])).norm(),
+                                (0.25 * (p[q[3]] - p[q[0]] + p[q[2]] - p[q[1]])).norm()});
+  }
   place_on_surface();
 }
 
@@ -199,27 +204,31 @@ Point State::quad_normal(int v) const {
   return length > 0 ? Point(sum / length) : sum;
 }
 
-double State::quality(int q, int v, const Point& p) const {
+double State::quality(int q, int v, const Step& step) const {
   const Quad& quad = mesh.quads[q];
   std::array<const Point*, 4> x;
   Point outward = Point::Zero();
   for (int i = 0; i < 4; ++i) {
-    x[i] = quad[i] == v ? &p : &mesh.points[quad[i]];
-    outward += m_normals[quad[i]];
+    x[i] = quad[i] == v ? &step.point : &mesh.points[quad[i]];
+    outward += quad[i] == v ? step.normal : m_normals[quad[i]];
   }
-  if ((*x[2] - *x[0]).cross(*x[3] - *x[1]).dot(outward) < 0) return -1;
-  return scaled_jacobian(*x[0], *x[1], *x[2], *x[3]);
+  const double jacobian = scaled_jacobian(*x[0], *x[1], *x[2], *x[3]);
+  const Point n = (*x[2] - *x[0]).cross(*x[3] - *x[1]);
+  const double scale = std::sqrt(n.squaredNorm() * outward.squaredNorm());
+  return scale > 0 ? std::min(jacobian, 0.3 + n.dot(outward) / scale) : jacobian;
 }
 
-double State::worst_around(int v, const Point& p) const {
+double State::worst_around(int v, const Step& step) const {
   double worst = 1;
-  for (int k = first[v]; k < first[v + 1]; ++k) worst = std::min(worst, quality(corners[k] / 4, v, p));
+  for (int k = first[v]; k < first[v + 1]; ++k) worst = std::min(worst, quality(corners[k] / 4, v, step));
   return worst;
 }
 
 Step State::constrain(int v, const Point& target) const {
   const Site& site = sites[v];
-  if (site.freedom == Freedom::fixed) return {mesh.points[v], site.face, site.parameter};
+  if (site.freedom == Freedom::fixed) return here(v);
+  Step step;
+  step.face = site.face;
   if (site.freedom == Freedom::curve) {
     const Curve& curve = curves[site.curve];
     double low = site.previous >= 0 ? sites[site.previous].parameter : 0;
@@ -229,20 +238,24 @@ Step State::constrain(int v, const Point& target) const {
     // Keep a tenth of the way to each neighbour, so that vertices on a curve never meet.
     low += 0.1 * (site.parameter - low);
     high -= 0.1 * (high - site.parameter);
-    const double s = curve.nearest(target, low, high);
-    return {curve.at(s), site.face, s};
+    step.parameter = curve.nearest(target, low, high);
+    step.point = curve.at(step.parameter);
+    step.face = projector.closest_nearby(step.point, site.face).face;
+  } else {
+    const Closest_point c = projector.closest_nearby(target, site.face);
+    step.point = c.point;
+    step.face = c.face;
   }
-  const Closest_point c = projector.closest_nearby(target, site.face);
-  return {c.point, c.face, 0};
+  step.normal = projector.normal(step.face);
+  if (step.normal.isZero()) step.normal = m_normals[v];
+  return step;
 }
 
 void State::move(int v, const Step& step) {
   mesh.points[v] = step.point;
+  m_normals[v] = step.normal;
+  sites[v].face = step.face;
   sites[v].parameter = step.parameter;
-  const bool on_surface = sites[v].freedom == Freedom::surface;
-  sites[v].face = on_surface ? step.face : projector.closest_nearby(step.point, step.face).face;
-  const Point n = projector.normal(sites[v].face);
-  if (!n.isZero()) m_normals[v] = n;
 }
 
 int bind_boundary(State& state) {
@@ -303,7 +316,8 @@ int bind_boundary(State& state) {
       site.next = loop[(i + 1) % n];
       if (site.freedom == Freedom::fixed) continue;
       site.freedom = Freedom::curve;
-      state.move(loop[i], {curve.at(s[i]), site.face, s[i]});
+      const Closest_point c = state.projector.closest(curve.at(s[i]), site.face);
+      state.move(loop[i], {curve.at(s[i]), state.projector.normal(c.face), c.face, s[i]});
       if (held[i]) site.freedom = Freedom::fixed;
     }
   }

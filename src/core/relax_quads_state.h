@@ -45,8 +45,9 @@ struct Site {
 /// A candidate position.
 struct Step {
   Point point;
-  int face;
-  double parameter;
+  Point normal; ///< of the input there
+  int face = -1;
+  double parameter = 0;
 };
 
 class State {
@@ -58,8 +59,9 @@ public:
   const Triangle_surface& input;
   const Surface_projector& projector;
   int threads;
-  std::vector<int> first;   ///< V + 1: range of each vertex in `corners`
-  std::vector<int> corners; ///< 4 q + i, ascending
+  std::vector<int> first;                              ///< V + 1: range of each vertex in `corners`
+  std::vector<int> corners;                            ///< 4 q + i, ascending
+  std::vector<std::array<double, 2>> original_lengths; ///< half edge lengths of the quads before relaxation
   std::vector<Site> sites;
   std::vector<Curve> curves;
   std::vector<std::vector<int>> colours; ///< vertices without a common quad
@@ -69,14 +71,29 @@ public:
   Point normal(int v) const { return m_normals[v]; }
   /// Sum of the normals of the quads around v, normalised.
   Point quad_normal(int v) const;
-  /// Scaled Jacobian of quad q with vertex v at p; -1 if the quad faces away from the surface.
-  double quality(int q, int v, const Point& p) const;
-  double quality(int q) const { return quality(q, -1, Point::Zero()); }
-  /// The worst quality around v with v at p.
-  double worst_around(int v, const Point& p) const;
+  /// Scaled Jacobian of quad q with vertex v moved by `step`; less, down to -0.7, if the quad faces away from the
+  /// normals of the input at its vertices.
+  double quality(int q, int v, const Step& step) const;
+  double quality(int q) const { return quality(q, -1, {}); }
+  /// The worst quality around v as it is, or after `step`.
+  double worst_around(int v, const Step& step) const;
+  double worst_around(int v) const { return worst_around(v, here(v)); }
+  Step here(int v) const { return {mesh.points[v], m_normals[v], sites[v].face, sites[v].parameter}; }
   /// `target` brought back to where v may be.
   Step constrain(int v, const Point& target) const;
   void move(int v, const Step& step);
+
+  /// Where all vertices are, to come back to.
+  struct Snapshot {
+    std::vector<Point> points, normals;
+    std::vector<Site> sites;
+  };
+  Snapshot snapshot() const { return {mesh.points, m_normals, sites}; }
+  void restore(const Snapshot& snapshot, int v) {
+    mesh.points[v] = snapshot.points[v];
+    m_normals[v] = snapshot.normals[v];
+    sites[v] = snapshot.sites[v];
+  }
 
 private:
   void place_on_surface();
@@ -87,10 +104,29 @@ private:
 /// Binds the mesh's boundary vertices to the input's boundary loops. Returns how many vertices are on the
 /// boundary.
 int bind_boundary(State& state);
+/// What a sweep aims at.
+struct Regime {
+  double evenness = 0.15;  ///< between the corners of rectangles (0) and the average of the neighbours (1)
+  double favour_small = 2; ///< a quad of size d counts d^-favour_small
+  double memory = 0;       ///< between the quads' present lengths (0) and those before relaxation (1)
+};
+
+/// How a sweep takes its steps.
+struct Sweep {
+  double good_enough = 0.5; ///< a step may make the worst quad around a vertex worse down to this quality
+  bool lenient = false;     ///< vertices of inverted quads take any step
+  const std::vector<char>* mask = nullptr; ///< only the vertices marked there, or all
+};
+
 /// One sweep of steps towards rectangles. Returns the number of accepted steps.
-int smooth(State& state, double damping, double good_enough, bool lenient);
+int smooth(State& state, const Regime& regime, const Sweep& sweep);
 /// Optimises the vertices around quads of quality below `wanted`.
-void untangle(State& state, double wanted, int rounds, Observer* observer);
+void untangle(State& state, double wanted, int rounds, const std::vector<char>* mask, Observer* observer);
+/// Pairs i < j of quads that meet in more than their common vertices, ascending; quads are cut along their shorter
+/// diagonals. Decided by exact predicates.
+std::vector<std::pair<int, int>> intersecting_quads(const Quad_mesh& mesh);
+/// Relaxes the neighbourhoods of inverted and intersecting quads anew, under other regimes, and keeps what helps.
+void repair(State& state, Observer* observer);
 
 /// Runs f(i) for i in [0, n) on up to `threads` threads. f(i) must not depend on another f(j).
 template <class F> void parallel_for(int n, int threads, const F& f) {

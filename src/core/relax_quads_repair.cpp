@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "relax_quads_state.h"
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace relaxation {
+
+namespace {
+
+// How often each quad is inverted or meets another one.
+std::vector<int> count_defects(const State& state) {
+  std::vector<int> defects(state.mesh.quads.size(), 0);
+  for (int q = 0; q < int(defects.size()); ++q) {
+    const Quad& v = state.mesh.quads[q];
+    const std::vector<Point>& p = state.mesh.points;
+    defects[q] = scaled_jacobian(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) < 0.01;
+  }
+  for (const auto& [i, j] : intersecting_quads(state.mesh)) {
+    ++defects[i];
+    ++defects[j];
+  }
+  return defects;
+}
+
+// The vertices within `rings` quads of a defect, numbered by connected region; -1 elsewhere.
+struct Regions {
+  std::vector<int> of_vertex;
+  int count = 0;
+
+  Regions(const State& state, const std::vector<int>& defects, int rings)
+      : of_vertex(state.number_of_vertices(), -1) {
+    std::vector<char> mask(state.number_of_vertices(), 0);
+    for (std::size_t q = 0; q < defects.size(); ++q)
+      if (defects[q])
+        for (int v : state.mesh.quads[q]) mask[v] = 1;
+    for (int ring = 0; ring < rings; ++ring) {
+      const std::vector<char> inner = mask;
+      for (const Quad& q : state.mesh.quads)
+        if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
+          for (int v : q) mask[v] = 1;
+    }
+    std::vector<int> stack;
+    for (int start = 0; start < state.number_of_vertices(); ++start) {
+      if (!mask[start] || of_vertex[start] >= 0) continue;
+      of_vertex[start] = count;
+      stack.push_back(start);
+      while (!stack.empty()) {
+        const int v = stack.back();
+        stack.pop_back();
+        for (int k = state.first[v]; k < state.first[v + 1]; ++k)
+          for (int w : state.mesh.quads[state.corners[k] / 4])
+            if (mask[w] && of_vertex[w] < 0) {
+              of_vertex[w] = count;
+              stack.push_back(w);
+            }
+      }
+      ++count;
+    }
+  }
+
+  std::vector<char> mask() const {
+    std::vector<char> result(of_vertex.size());
+    for (std::size_t v = 0; v < result.size(); ++v) result[v] = of_vertex[v] >= 0;
+    return result;
+  }
+
+  std::vector<int> sum(const State& state, const std::vector<int>& defects) const {
+    std::vector<int> result(count, 0);
+    for (std::size_t q = 0; q < defects.size(); ++q) {
+      int region = -1;
+      for (int v : state.mesh.quads[q]) region = std::max(region, of_vertex[v]);
+      if (region >= 0) result[region] += defects[q];
+    }
+    return result;
+  }
+};
+
+struct Attempt {
+  Regime regime;
+  int sweeps, rings;
+  bool lenient;
+};
+
+} // namespace
+
+void repair(State& state, Observer* observer) {
+  // From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices from the
+  // fine ones; memory keeps quads on thin limbs from sliding off.
+  static const Attempt attempts[] = {
+      {{0.15, 1, 0.5}, 12, 3, true}, {{0.4, 1, 0}, 20, 4, true},  {{0.4, 1, 0.5}, 20, 6, true},
+      {{0.4, 1, 0}, 40, 8, true},    {{0.8, 0, 0}, 40, 8, true},  {{0.4, 1, 0.5}, 60, 16, true},
+      {{0.4, 0, 0}, 60, 16, true},   {{0.8, 0, 0}, 80, 24, true}, {{0.9, 0, 0}, 40, 4, false},
+  };
+  std::vector<int> defects = count_defects(state);
+  for (const Attempt& attempt : attempts) {
+    if (std::count(defects.begin(), defects.end(), 0) == std::ptrdiff_t(defects.size())) return;
+    const Regions regions(state, defects, attempt.rings);
+    const std::vector<char> mask = regions.mask();
+    const State::Snapshot snapshot = state.snapshot();
+    for (int i = 0; i < attempt.sweeps; ++i) {
+      if (observer && observer->cancelled()) return;
+      const bool early = 2 * i < attempt.sweeps;
+      smooth(state, attempt.regime, {early ? 0.2 : 0.4, early && attempt.lenient, &mask});
+    }
+    untangle(state, 0.1, 10, &mask, observer);
+    const std::vector<int> now = count_defects(state);
+    const std::vector<int> sum_before = regions.sum(state, defects), sum_now = regions.sum(state, now);
+    bool restored = false;
+    for (int v = 0; v < state.number_of_vertices(); ++v) {
+      const int region = regions.of_vertex[v];
+      if (region < 0 || sum_now[region] < sum_before[region]) continue;
+      state.restore(snapshot, v);
+      restored = true;
+    }
+    defects = restored ? count_defects(state) : now;
+  }
+}
+
+} // namespace relaxation
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
