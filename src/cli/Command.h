@@ -2,13 +2,12 @@
 #ifndef REEBQUAD_CLI_COMMAND_H
 #define REEBQUAD_CLI_COMMAND_H
 
-#include "Exit_code.h"
+#include "Failure.h"
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/positional_options.hpp>
 #include <boost/program_options/variables_map.hpp>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,19 +23,19 @@ struct Command {
   Exit_code (*execute)(const Arguments&);
 };
 
-/// What the user typed cannot be meant; main() prints the sentence and returns `Exit_code::usage`.
-struct Usage_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// The options and positional arguments of one subcommand.
 struct Command_line {
   explicit Command_line(std::string usage_) : usage(std::move(usage_)) {}
 
   /// Parses; prints the help and returns false if `--help` is among the arguments. Throws `Usage_error`.
   bool parse(const Arguments& arguments);
+  /// Declares the next positional argument.
+  void take(const char* name);
   bool has(const char* option) const { return values.count(option) > 0; }
   std::string text(const char* option) const { return values[option].as<std::string>(); }
+
+  /// The positional argument of that name, or a usage error that says it is missing.
+  std::string required(const char* name) const;
 
   std::string usage; ///< "run FILE -o QUADS [options]"
   boost::program_options::options_description options;
@@ -45,6 +44,8 @@ struct Command_line {
   boost::program_options::variables_map values;
 };
 
+Exit_code execute_check(const Arguments& arguments);
+Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_version(const Arguments& arguments);
 
 } // namespace reebquad

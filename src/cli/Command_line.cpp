@@ -10,6 +10,16 @@ namespace reebquad {
 
 namespace po = boost::program_options;
 
+void Command_line::take(const char* name) {
+  hidden.add_options()(name, po::value<std::string>());
+  positional.add(name, 1);
+}
+
+std::string Command_line::required(const char* name) const {
+  if (!has(name)) throw Usage_error(std::string(name) + " is missing\nUsage: reebquad " + usage);
+  return text(name);
+}
+
 bool Command_line::parse(const Arguments& arguments) {
   options.add_options()("help,h", "print this help");
   po::options_description all;

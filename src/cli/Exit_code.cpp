@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exit_code.h"
 
+#include "Failure.h"
+
 namespace reebquad {
 
+using CGAL::Reeb_quadrangulation::Error;
 using CGAL::Reeb_quadrangulation::Error_code;
 
 Exit_code exit_code(Error_code code) {
@@ -21,6 +24,10 @@ Exit_code exit_code(Error_code code) {
   case Error_code::internal_error: return Exit_code::other_failure;
   }
   return Exit_code::other_failure;
+}
+
+std::string sentence(const std::string& file, const Error& error) {
+  return error.message.find(file) == std::string::npos ? file + ": " + error.message : error.message;
 }
 
 } // namespace reebquad

@@ -14,6 +14,8 @@ using namespace reebquad;
 Exit_code execute_help(const Arguments&);
 
 constexpr std::array commands{
+    Command{"check", "tell what is wrong with a triangle mesh, and what can be mended", execute_check},
+    Command{"stats", "certify and measure a quad mesh of any origin", execute_stats},
     Command{"version", "print the version of reebquad and of its libraries", execute_version},
     Command{"help", "print this list", execute_help},
 };
@@ -44,8 +46,8 @@ Exit_code fail(const std::string& sentence, Exit_code code) {
 Exit_code guarded_dispatch(const Arguments& arguments) {
   try {
     return dispatch(arguments);
-  } catch (const Usage_error& error) {
-    return fail(error.what(), Exit_code::usage);
+  } catch (const Failure& error) {
+    return fail(error.what(), error.code);
   } catch (const std::bad_alloc&) {
     return fail("memory ran out", Exit_code::other_failure);
   } catch (const std::exception& error) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_CLI_INPUT_H
+#define REEBQUAD_CLI_INPUT_H
+
+#include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/surface_check.h>
+
+#include <string>
+
+namespace reebquad {
+
+/// Reads a mesh file; a `Failure` names file and line or byte.
+CGAL::Reeb_quadrangulation::Polygon_soup read_soup(const std::string& file);
+
+/// The quads of a soup; a `Failure` names the first face that is not a quad.
+CGAL::Reeb_quadrangulation::Quad_mesh quads_of(const CGAL::Reeb_quadrangulation::Polygon_soup& soup,
+                                               const std::string& file);
+
+/// All components as one surface (points and triangles only), in their order.
+CGAL::Reeb_quadrangulation::Triangle_surface joined(const CGAL::Reeb_quadrangulation::Mended_surface& mended);
+
+} // namespace reebquad
+
+#endif // REEBQUAD_CLI_INPUT_H
