@@ -46,6 +46,7 @@ struct Command_line {
 
 Exit_code execute_check(const Arguments& arguments);
 Exit_code execute_stats(const Arguments& arguments);
+Exit_code execute_shape(const Arguments& arguments);
 Exit_code execute_version(const Arguments& arguments);
 
 } // namespace reebquad

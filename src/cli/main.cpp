@@ -16,6 +16,7 @@ Exit_code execute_help(const Arguments&);
 constexpr std::array commands{
     Command{"check", "tell what is wrong with a triangle mesh, and what can be mended", execute_check},
     Command{"stats", "certify and measure a quad mesh of any origin", execute_stats},
+    Command{"shape", "write a built-in triangle surface", execute_shape},
     Command{"version", "print the version of reebquad and of its libraries", execute_version},
     Command{"help", "print this list", execute_help},
 };
