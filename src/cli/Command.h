@@ -44,6 +44,7 @@ struct Command_line {
   boost::program_options::variables_map values;
 };
 
+Exit_code execute_run(const Arguments& arguments);
 Exit_code execute_check(const Arguments& arguments);
 Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_shape(const Arguments& arguments);

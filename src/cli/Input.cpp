@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Input.h"
 
-#include "Failure.h"
-
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 
 namespace reebquad {
 
 using namespace CGAL::Reeb_quadrangulation;
+
+namespace po = boost::program_options;
+
+void declare_mending(Command_line& line) {
+  line.options.add_options()("fill-holes", "fill small holes instead of keeping them as boundary loops")(
+      "hole-edges", po::value<int>()->value_name("N")->default_value(100), "what is small: at most N edges");
+}
+
+Mend_options mending(const Command_line& line) {
+  Mend_options options;
+  const int edges = line.values["hole-edges"].as<int>();
+  if (edges < 3) throw Usage_error("--hole-edges is at least 3; it got " + std::to_string(edges));
+  if (line.has("fill-holes"))
+    options.fill_holes = edges;
+  else if (!line.values["hole-edges"].defaulted())
+    throw Usage_error("--hole-edges has no meaning without --fill-holes");
+  return options;
+}
+
+void require_writable_format(const std::string& file) {
+  if (format_of_extension(file) == Mesh_format::automatic)
+    throw Usage_error(file + ": the extension is not one of obj, off, ply, vtk, stl, glb");
+}
 
 Polygon_soup read_soup(const std::string& file) {
   return value_or_fail(read_polygon_soup(file), file);

@@ -2,12 +2,21 @@
 #ifndef REEBQUAD_CLI_INPUT_H
 #define REEBQUAD_CLI_INPUT_H
 
+#include "Command.h"
+
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <string>
 
 namespace reebquad {
+
+/// Declares --fill-holes and --hole-edges.
+void declare_mending(Command_line& line);
+CGAL::Reeb_quadrangulation::Mend_options mending(const Command_line& line);
+
+/// Throws a usage error unless the extension of `file` names a format that we write.
+void require_writable_format(const std::string& file);
 
 /// Reads a mesh file; a `Failure` names file and line or byte.
 CGAL::Reeb_quadrangulation::Polygon_soup read_soup(const std::string& file);

@@ -83,9 +83,9 @@ void print_text(const std::string& file, const Findings& findings) {
 
 Exit_code execute_check(const Arguments& arguments) {
   Command_line line("check FILE [--json]");
-  line.options.add_options()("json", "print everything as JSON")                     //
-      ("all", "list all defects, not only the first 100 of each kind (with --json)") //
-      ("fill-holes", po::value<int>()->default_value(0)->value_name("N"), "fill holes of at most N edges");
+  line.options.add_options()("json", "print everything as JSON")(
+      "all", "list all defects, not only the first 100 of each kind (with --json)");
+  declare_mending(line);
   line.take("FILE");
   if (!line.parse(arguments)) return Exit_code::success;
   const std::string file = line.required("FILE");
@@ -93,10 +93,8 @@ Exit_code execute_check(const Arguments& arguments) {
   const Polygon_soup soup = read_soup(file);
   Check_options options;
   if (line.has("all")) options.listed_per_kind = -1;
-  Mend_options mending;
-  mending.fill_holes = line.values["fill-holes"].as<int>();
   Findings findings{check_surface(soup, options), {}};
-  Result<Mended_surface> mended = mend_surface(soup, mending);
+  Result<Mended_surface> mended = mend_surface(soup, mending(line));
   if (mended)
     findings.mended = std::move(*mended);
   else

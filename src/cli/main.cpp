@@ -14,6 +14,7 @@ using namespace reebquad;
 Exit_code execute_help(const Arguments&);
 
 constexpr std::array commands{
+    Command{"run", "make a certified quad mesh of a triangle surface", execute_run},
     Command{"check", "tell what is wrong with a triangle mesh, and what can be mended", execute_check},
     Command{"stats", "certify and measure a quad mesh of any origin", execute_stats},
     Command{"shape", "write a built-in triangle surface", execute_shape},

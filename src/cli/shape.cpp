@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // reebquad shape NAME -o FILE: writes a built-in triangle surface.
-#include "Command.h"
+#include "Input.h"
 #include "Interruption.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
@@ -35,6 +35,7 @@ Exit_code execute_shape(const Arguments& arguments) {
   }
   const std::string name = line.required("NAME");
   const std::string file = line.required("output");
+  require_writable_format(file);
   watch_for_interruption();
   const Triangle_surface surface =
       value_or_fail(make_shape(name, line.values["triangles"].as<int>()), "shape");

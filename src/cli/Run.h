@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_CLI_RUN_H
+#define REEBQUAD_CLI_RUN_H
+
+#include "Run_options.h"
+
+#include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+#include <CGAL/Reeb_quadrangulation/surface_check.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reebquad {
+
+/// One component of the input and what became of it.
+struct Component_run {
+  CGAL::Reeb_quadrangulation::Triangle_surface surface;
+  std::optional<CGAL::Reeb_quadrangulation::Quadrangulation> result; ///< none if it failed
+  CGAL::Reeb_quadrangulation::Error error;                           ///< why it failed
+};
+
+/// Everything about a run that the screen, the report and the pictures show.
+struct Run {
+  int input_points = 0;
+  int input_faces = 0;
+  std::vector<CGAL::Reeb_quadrangulation::Mend> mends;
+  std::vector<CGAL::Reeb_quadrangulation::Error> refused; ///< components that are not surfaces
+  std::vector<Component_run> components;
+  CGAL::Reeb_quadrangulation::Triangle_surface surface; ///< all components
+  CGAL::Reeb_quadrangulation::Quad_mesh quads;          ///< of all components
+  std::optional<CGAL::Reeb_quadrangulation::Certificate> certificate;
+  std::optional<CGAL::Reeb_quadrangulation::Mesh_statistics> statistics;
+  std::vector<CGAL::Reeb_quadrangulation::Stage_time> stages; ///< outside the components' own
+  Exit_code status = Exit_code::success;
+};
+
+/// The report, as doc/Reeb_quadrangulation/report_schema.md describes it.
+std::string report_json(const Run& run, const Run_options& options);
+
+/// Writes the pictures of a run into `options.pictures`; a `Failure` names the file that cannot be written.
+void write_pictures(const Run& run, const Run_options& options);
+
+} // namespace reebquad
+
+#endif // REEBQUAD_CLI_RUN_H

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Run_options.h"
+
+#include "Input.h"
+
+#include <cmath>
+#include <fstream>
+#include <locale>
+#include <sstream>
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+namespace po = boost::program_options;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// Three finite numbers separated by `separator` (a blank stands for any white space) and nothing else.
+std::optional<Point> parse_point(std::string text, char separator) {
+  for (char& c : text)
+    if (separator != ' ' && c == separator) c = ' ';
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  Point p;
+  if (!(stream >> p.x() >> p.y() >> p.z()) || !p.allFinite()) return std::nullopt;
+  stream >> std::ws;
+  return stream.eof() ? std::optional<Point>(p) : std::nullopt;
+}
+
+Point point_option(const char* option, const std::string& text) {
+  const std::optional<Point> p = parse_point(text, ',');
+  if (!p)
+    throw Usage_error(std::string(option) + " takes three numbers as in 0,0.5,1; it got '" + text + "'");
+  return *p;
+}
+
+/// Lines "min x y z" and "max x y z"; empty lines and what follows a '#' are skipped.
+std::vector<Placed_extremum> read_extrema(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
+  std::vector<Placed_extremum> extrema;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line.erase(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    std::istringstream words(line);
+    std::string kind, rest;
+    words >> kind;
+    std::getline(words, rest);
+    const std::optional<Point> p = parse_point(rest, ' ');
+    if ((kind != "min" && kind != "max") || !p)
+      throw Failure(Exit_code::unreadable_file,
+                    file + ": line " + std::to_string(number) + ": expected 'min x y z' or 'max x y z'");
+    extrema.push_back({*p, kind == "max"});
+  }
+  if (stream.bad()) throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
+  if (extrema.empty()) throw Failure(Exit_code::unreadable_file, file + ": it places no extremum");
+  return extrema;
+}
+
+/// The value that stands for `text` in a list of names.
+template <class T>
+T choice(const char* option, const std::string& text, const std::vector<std::pair<const char*, T>>& choices) {
+  std::string names;
+  for (const auto& [name, value] : choices) {
+    if (text == name) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  throw Usage_error(std::string(option) + " is one of " + names + "; it got '" + text + "'");
+}
+
+template <class T> T in_range(const Command_line& line, const char* option, T low, T high) {
+  const T value = line.values[option].as<T>();
+  if (!(value >= low && value <= high)) {
+    std::ostringstream text;
+    text << "--" << option << " lies between " << low << " and " << high << "; it got " << value;
+    throw Usage_error(text.str());
+  }
+  return value;
+}
+
+template <class T> po::typed_value<T>* value(const char* name) {
+  return po::value<T>()->value_name(name);
+}
+
+void declare(Command_line& line) {
+  const double default_persistence = Suggestion_options().persistence;
+  line.options.add_options() //
+      ("output,o", value<std::string>("FILE"),
+       "the quad mesh: OBJ, OFF, PLY or VTK by its extension "
+       "(STL and GLB hold triangles)")                                                               //
+      ("quads", value<int>("N")->default_value(3000), "about how many quads")                        //
+      ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads")      //
+      ("report", value<std::string>("FILE"), "write all numbers as JSON")                            //
+      ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                 //
+      ("extrema", value<std::string>("FILE"), "place the extrema: lines 'min x y z' or 'max x y z'") //
+      ("min", value<Texts>("x,y,z")->composing(), "place a minimum near that point (repeatable)")    //
+      ("max", value<Texts>("x,y,z")->composing(), "place a maximum near that point (repeatable)")    //
+      ("axis", value<std::string>("x,y,z")->default_value("0,0,1"),
+       "up: suggested extrema below the middle become minima, those above maxima") //
+      ("persistence", value<double>("P")->default_value(default_persistence),
+       "how prominent a protrusion must be to get an extremum, 0 to 1")                                 //
+      ("threads", value<int>("N")->default_value(0), "how many threads; 0: as many as the machine has") //
+      ("no-collapse", "keep charts that are thinner than half a quad")                                  //
+      ("no-relax", "do not relax the quads on the surface")                                             //
+      ("field", value<std::string>("WEIGHTS")->default_value("cotangent"),
+       "weights of the field: cotangent or clamped")                                         //
+      ("validate", "demand strict validity: also no inverted quad and no self-intersection") //
+      ("timings", "print the seconds and the memory of every stage")                         //
+      ("quiet", "print errors only");
+  declare_mending(line);
+  line.take("FILE");
+}
+
+std::vector<Placed_extremum> placed_extrema(const Command_line& line) {
+  std::vector<Placed_extremum> extrema;
+  if (line.has("extrema")) extrema = read_extrema(line.text("extrema"));
+  for (const char* option : {"min", "max"}) {
+    if (!line.has(option)) continue;
+    for (const std::string& text : line.values[option].as<Texts>())
+      extrema.push_back({point_option(option, text), std::string(option) == "max"});
+  }
+  return extrema;
+}
+
+void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
+  pipeline.quads = in_range(line, "quads", 1, 100000000);
+  if (line.has("edge-length")) {
+    if (!line.values["quads"].defaulted()) throw Usage_error("--quads and --edge-length exclude each other");
+    pipeline.edge_length = line.values["edge-length"].as<double>();
+    if (!(pipeline.edge_length > 0) || !std::isfinite(pipeline.edge_length))
+      throw Usage_error("--edge-length is a positive length");
+  }
+  pipeline.extrema = placed_extrema(line);
+  pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
+  if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");
+  pipeline.suggestion.persistence = in_range(line, "persistence", 0.0, 1.0);
+  pipeline.threads = in_range(line, "threads", 0, 1024);
+  pipeline.collapse_thin = !line.has("no-collapse");
+  pipeline.relax = !line.has("no-relax");
+  pipeline.weights = choice<Weight_kind>(
+      "--field", line.text("field"),
+      {{"cotangent", Weight_kind::cotangent}, {"clamped", Weight_kind::clamped_cotangent}});
+}
+
+} // namespace
+
+std::optional<Run_options> parse_run_options(const Arguments& arguments) {
+  Command_line line("run FILE -o QUADS [options]");
+  declare(line);
+  if (!line.parse(arguments)) return std::nullopt;
+  Run_options options;
+  options.input = line.required("FILE");
+  options.output = line.required("output");
+  if (line.has("report")) options.report = line.text("report");
+  if (line.has("pictures")) options.pictures = line.text("pictures");
+  options.mending = mending(line);
+  options.timings = line.has("timings");
+  options.quiet = line.has("quiet");
+  options.validate = line.has("validate");
+  set_pipeline(line, options.pipeline);
+  return options;
+}
+
+} // namespace reebquad

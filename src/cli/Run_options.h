@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_CLI_RUN_OPTIONS_H
+#define REEBQUAD_CLI_RUN_OPTIONS_H
+
+#include "Command.h"
+
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+#include <CGAL/Reeb_quadrangulation/surface_check.h>
+
+#include <optional>
+#include <string>
+
+namespace reebquad {
+
+/// What `reebquad run` is asked for.
+struct Run_options {
+  std::string input;
+  std::string output;
+  std::string report;   ///< empty: none is written
+  std::string pictures; ///< a folder; empty: none are made
+  CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
+  CGAL::Reeb_quadrangulation::Mend_options mending;
+  bool timings = false;
+  bool quiet = false;
+  bool validate = false; ///< demand strict validity: also no inverted quad and no self-intersection
+};
+
+/// Nothing if only the help was asked for. Throws `Failure` with a sentence about the option.
+std::optional<Run_options> parse_run_options(const Arguments& arguments);
+
+} // namespace reebquad
+
+#endif // REEBQUAD_CLI_RUN_OPTIONS_H

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// reebquad run FILE -o QUADS: the whole pipeline from a file to certified quads.
+#include "Run.h"
+#include "Input.h"
+#include "Interruption.h"
+#include "Terminal_observer.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
+#include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+class Runner {
+public:
+  explicit Runner(const Run_options& options)
+      : m_options(options), m_observer(options.quiet), m_clock(&m_observer, m_run.stages) {}
+
+  Exit_code execute() {
+    begin("reading");
+    const Polygon_soup soup = read_soup(m_options.input);
+    end();
+    m_run.input_points = soup.number_of_points();
+    m_run.input_faces = soup.number_of_polygons();
+    mend(soup);
+    if (m_run.status == Exit_code::success) mesh_components();
+    if (m_run.status == Exit_code::success) certify_all();
+    write_outputs();
+    return m_run.status;
+  }
+
+private:
+  void begin(const std::string& stage) {
+    if (!m_clock.begin(stage)) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+  }
+  void end() { m_clock.end(); }
+
+  /// Says what is wrong; the first such error becomes the status.
+  void report_error(const Error& error) {
+    if (error.code == Error_code::cancelled)
+      throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    m_observer.clear();
+    std::cerr << "reebquad: " << sentence(m_options.input, error) << '\n';
+    if (m_run.status == Exit_code::success) m_run.status = exit_code(error.code);
+  }
+
+  void mend(const Polygon_soup& soup) {
+    begin("mending");
+    Result<Mended_surface> mended = mend_surface(soup, m_options.mending);
+    end();
+    if (!mended) {
+      m_run.refused.push_back(mended.error());
+    } else {
+      m_run.surface = joined(*mended);
+      m_run.mends = std::move(mended->mends);
+      m_run.refused = std::move(mended->refused);
+      for (Mended_component& component : mended->components)
+        m_run.components.push_back({std::move(component.surface), std::nullopt, {}});
+    }
+    for (const Error& error : m_run.refused) report_error(error);
+    m_observer.clear();
+    if (!m_options.quiet)
+      for (const Mend& change : m_run.mends)
+        std::cerr << "reebquad: " << m_options.input << ": " << change.text << '\n';
+  }
+
+  /// Quads and placed extrema are dealt out to the components.
+  std::vector<Quadrangulation_options> options_of_components() const {
+    const std::size_t n = m_run.components.size();
+    std::vector<Quadrangulation_options> options(n, m_options.pipeline);
+    std::vector<double> area(n);
+    double total = 0;
+    for (std::size_t c = 0; c < n; ++c) {
+      area[c] = surface_area(m_run.components[c].surface);
+      total += area[c];
+      options[c].extrema.clear();
+    }
+    for (std::size_t c = 0; n > 1 && c < n; ++c) {
+      const double share = total > 0 ? area[c] / total : 1.0 / double(n);
+      options[c].quads = std::max(1, int(std::lround(m_options.pipeline.quads * share)));
+    }
+    for (const Placed_extremum& extremum : m_options.pipeline.extrema)
+      options[nearest_component(extremum.point)].extrema.push_back(extremum);
+    return options;
+  }
+
+  static double surface_area(const Triangle_surface& surface) {
+    double area = 0;
+    for (const Triangle& t : surface.triangles) {
+      const Point& p = surface.points[t[0]];
+      area += 0.5 * (surface.points[t[1]] - p).cross(surface.points[t[2]] - p).norm();
+    }
+    return area;
+  }
+
+  std::size_t nearest_component(const Point& point) const {
+    std::size_t best = 0;
+    double best_distance = -1;
+    for (std::size_t c = 0; c < m_run.components.size(); ++c)
+      for (const Point& p : m_run.components[c].surface.points) {
+        const double distance = (p - point).squaredNorm();
+        if (best_distance < 0 || distance < best_distance) {
+          best = c;
+          best_distance = distance;
+        }
+      }
+    return best;
+  }
+
+  void mesh_components() {
+    const std::vector<Quadrangulation_options> options = options_of_components();
+    for (std::size_t c = 0; c < m_run.components.size(); ++c) {
+      Component_run& component = m_run.components[c];
+      Result<Quadrangulation> result = quadrangulate(component.surface, options[c], &m_observer);
+      if (!result) {
+        component.error = result.error();
+        if (m_run.components.size() > 1)
+          component.error.message = "component " + std::to_string(c) + ": " + component.error.message;
+        report_error(component.error);
+        continue;
+      }
+      component.result = std::move(*result);
+      append(component.result->mesh);
+    }
+  }
+
+  void append(const Quad_mesh& mesh) {
+    const int first = int(m_run.quads.points.size());
+    m_run.quads.points.insert(m_run.quads.points.end(), mesh.points.begin(), mesh.points.end());
+    for (const Quad& q : mesh.quads)
+      m_run.quads.quads.push_back({q[0] + first, q[1] + first, q[2] + first, q[3] + first});
+  }
+
+  void certify_all() {
+    std::map<int, int> predicted;
+    for (const Component_run& component : m_run.components)
+      for (const auto& [valence, number] : component.result->valences) predicted[valence] += number;
+    Certificate_options options;
+    options.observer = &m_observer;
+    begin("certificate");
+    m_run.certificate = certify({m_run.quads, &m_run.surface, predicted}, options);
+    end();
+    begin("statistics");
+    m_run.statistics = quad_statistics(m_run.quads, &m_run.surface);
+    end();
+    if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    const bool good = m_options.validate ? m_run.certificate->strictly_valid : m_run.certificate->passed;
+    if (!good) m_run.status = Exit_code::certificate_failed;
+  }
+
+  void write_outputs() {
+    if (m_run.certificate) {
+      if (m_run.status == Exit_code::success && !m_options.pictures.empty()) {
+        begin("pictures");
+        write_pictures(m_run, m_options);
+        end();
+      }
+      if (m_run.status == Exit_code::success) write_quads();
+    }
+    m_observer.clear();
+    if (!m_options.report.empty()) {
+      const Uninterruptible whole;
+      succeed_or_fail(write_file_atomically(m_options.report, report_json(m_run, m_options)),
+                      m_options.report);
+    }
+    if (m_run.certificate) print_outcome();
+    if (m_options.timings) print_timings();
+  }
+
+  void write_quads() {
+    begin("writing");
+    const Uninterruptible whole;
+    const std::vector<std::string> warnings =
+        value_or_fail(write_mesh(m_options.output, m_run.quads), m_options.output);
+    end();
+    m_observer.clear();
+    for (const std::string& warning : warnings)
+      std::cerr << "reebquad: " << m_options.output << ": " << warning << '\n';
+  }
+
+  void print_outcome() const {
+    if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
+    if (m_run.status == Exit_code::success) {
+      if (!m_options.quiet) std::cout << "\ncertified: " << m_options.output << '\n';
+      return;
+    }
+    std::cout.flush();
+    for (const Certificate_check& check : m_run.certificate->checks)
+      if (check.status == Check_status::failed) {
+        std::cerr << "reebquad: " << m_options.input << ": the certificate failed: " << check.name << ": "
+                  << check.message << '\n';
+        break;
+      }
+    std::cerr << "reebquad: nothing is written to " << m_options.output << '\n';
+  }
+
+  static void print_timings(const std::vector<Stage_time>& stages) {
+    for (const Stage_time& stage : stages)
+      std::fprintf(stderr, "  %-16s %8.3f s %8.3f s cpu %8.0f MB\n", stage.name.c_str(), stage.seconds,
+                   stage.cpu_seconds, stage.peak_megabytes);
+  }
+
+  void print_timings() const {
+    std::cout.flush();
+    for (const Component_run& component : m_run.components)
+      if (component.result) print_timings(component.result->stages);
+    print_timings(m_run.stages);
+  }
+
+  const Run_options& m_options;
+  Run m_run;
+  Terminal_observer m_observer;
+  CGAL::Reeb_quadrangulation::internal::Stage_clock<Stage_time> m_clock;
+};
+
+} // namespace
+
+Exit_code execute_run(const Arguments& arguments) {
+  const std::optional<Run_options> options = parse_run_options(arguments);
+  if (!options) return Exit_code::success;
+  require_writable_format(options->output);
+  watch_for_interruption();
+  return Runner(*options).execute();
+}
+
+} // namespace reebquad
