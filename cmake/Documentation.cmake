@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The target `doc` makes the manual in build/PRESET/doc/html; a warning of Doxygen is an error.
 find_package(Doxygen QUIET)
-if(DOXYGEN_FOUND)
+if(DOXYGEN_FOUND AND TARGET reebquad)
   set(doc_dir ${PROJECT_SOURCE_DIR}/doc/Reeb_quadrangulation)
+  set(figure_dir ${PROJECT_BINARY_DIR}/doc/figures)
   configure_file(${doc_dir}/Doxyfile.in ${PROJECT_BINARY_DIR}/doc/Doxyfile @ONLY)
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/doc/figures)
+  add_custom_command(OUTPUT ${figure_dir}/quads.png
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:reebquad> -D OUT=${figure_dir} -P ${doc_dir}/fig/make_figures.cmake
+    DEPENDS reebquad ${doc_dir}/fig/make_figures.cmake COMMENT "Making the manual's figures" VERBATIM)
   add_custom_target(doc COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/doc/Doxyfile
+    DEPENDS ${figure_dir}/quads.png
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Making the manual" VERBATIM)
 endif()

@@ -49,7 +49,7 @@ public:
   /// the right query for a point that slides by small steps. \pre the surface is connected by `connect()`.
   Closest_point closest_nearby(const Point& query, int face) const;
 
-  /// The closest point among the faces whose normal `n` has `n . normal >= min_cosine`; `normal` is a unit
+  /// The closest point among the faces whose normal makes a cosine of at least `min_cosine` with `normal`, a unit
   /// vector. With 0 a vertex on one side of a thin sheet cannot snap to the other side. Faces without area
   /// are skipped. If no face is eligible, `face` is -1.
   Closest_point closest_compatible(const Point& query, const Point& normal, double min_cosine,

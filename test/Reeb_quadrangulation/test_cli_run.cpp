@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `reebquad run` from file to certified quads, its report, its pictures, and how it stops.
+#include "cli_process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A folder with a built-in shape in it.
+struct Shape {
+  Shape(const std::string& name, int triangles) : file(folder.path(name + ".obj")) {
+    REQUIRE(reebquad({"shape", name, "-o", file, "--triangles", std::to_string(triangles)}).code == 0);
+  }
+  Outcome run(std::vector<std::string> options, const Limits& limits = {}) const {
+    options.insert(options.begin(), {"run", file, "-o", quads(), "--report", report_file()});
+    return reebquad(options, limits);
+  }
+  std::string quads() const { return folder.path("quads.obj"); }
+  std::string report_file() const { return folder.path("report.json"); }
+  Json report() const { return Json::parse(contents(report_file())); }
+
+  Temporary_folder folder;
+  std::string file;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string status_of(const Json& report, const std::string& check) {
+  for (const Json& entry : report["certificate"]["checks"])
+    if (entry["name"] == check) return entry["status"];
+  return "missing";
+}
+
+} // namespace
+
+TEST_CASE("a torus becomes certified quads, about as many as asked for") {
+  const Shape torus("torus", 3000);
+  const Outcome outcome = torus.run({"--quads", "800"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.out, "certified: " + torus.quads()));
+  const Json report = torus.report();
+  CHECK(report["status"] == 0);
+  CHECK(report["certificate"]["passed"] == true);
+  CHECK(report["certificate"]["components"][0]["euler_characteristic"] == 0);
+  CHECK(std::abs(report["statistics"]["quads"].get<int>() - 800) <= 40);
+  CHECK(status_of(report, "valences") == "passed");
+
+  const Json& component = report["components"][0];
+  CHECK(component["genus"] == 1);
+  CHECK(component["layout"]["reeb_loops"] == 1);
+  CHECK(component["layout"]["minima"].get<int>() - component["layout"]["saddles"].get<int>() +
+            component["layout"]["maxima"].get<int>() ==
+        0);
+  CHECK(component["layout"]["charts"].size() == component["layout"]["reeb_arcs"]);
+  CHECK(component["sampling"]["worst_count_ratio"].get<double>() >= 1);
+  CHECK(component["stages"].size() > 5);
+  CHECK(report["statistics"]["undersampled_area"].get<double>() < 0.05);
+
+  SECTION("and `stats` certifies the file that was written") {
+    const Outcome stats = reebquad({"stats", torus.quads(), "--against", torus.file, "--json"});
+    REQUIRE(stats.code == 0);
+    const Json again = Json::parse(stats.out);
+    CHECK(again["certificate"]["passed"] == true);
+    CHECK(again["statistics"]["scaled_jacobian"] == report["statistics"]["scaled_jacobian"]);
+  }
+}
+
+TEST_CASE("the same bytes come out of one thread and of two") {
+  const Shape hand("hand", 4000);
+  REQUIRE(hand.run({"--threads", "1", "--quads", "1500"}).code == 0);
+  const std::string one = contents(hand.quads());
+  REQUIRE(hand.run({"--threads", "2", "--quads", "1500"}).code == 0);
+  CHECK(one.size() > 1000);
+  CHECK((one == contents(hand.quads())));
+}
+
+TEST_CASE("options change what they name") {
+  const Shape torus("torus", 3000);
+  const auto quads_of = [&](const std::vector<std::string>& options) {
+    const Outcome outcome = torus.run(options);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return torus.report();
+  };
+  const Json usual = quads_of({"--quads", "600"});
+  const std::string usual_bytes = contents(torus.quads());
+
+  SECTION("--edge-length sets the length") {
+    const Json report = quads_of({"--edge-length", "0.3"});
+    CHECK(report["components"][0]["sampling"]["edge_length"].get<double>() == Approx(0.3));
+    CHECK(report["statistics"]["edge_length"]["mean"].get<double>() == Approx(0.3).epsilon(0.35));
+  }
+  SECTION("--no-relax leaves the vertices where the textures put them") {
+    const Json report = quads_of({"--quads", "600", "--no-relax"});
+    CHECK(report["components"][0]["relaxation"]["moved_vertices"] == 0);
+    CHECK(usual["components"][0]["relaxation"]["moved_vertices"] > 0);
+    CHECK((usual_bytes != contents(torus.quads())));
+  }
+  SECTION("--min and --max place the extrema") {
+    const Json report = quads_of({"--quads", "600", "--min", "1.4,0,0", "--max", "-1.4,0,0"});
+    const Json& extrema = report["components"][0]["extrema"];
+    REQUIRE(extrema.size() == 2);
+    CHECK(extrema[0]["kind"] == "minimum");
+    CHECK(extrema[0]["position"][0].get<double>() == Approx(1.4).margin(0.1));
+    CHECK(extrema[1]["position"][0].get<double>() == Approx(-1.4).margin(0.1));
+  }
+  SECTION("--extrema reads them from a file") {
+    const std::string file = torus.folder.write("extrema.txt", "min -1.4 0 0 # left\nmax 1.4 0 0\n");
+    const Json& extrema = quads_of({"--quads", "600", "--extrema", file})["components"][0]["extrema"];
+    REQUIRE(extrema.size() == 2);
+    CHECK(extrema[0]["position"][0].get<double>() == Approx(-1.4).margin(0.1));
+  }
+  SECTION("--axis turns up into down") {
+    const Json report = quads_of({"--quads", "600", "--axis", "0,0,-1"});
+    CHECK(report["components"][0]["extrema"] != usual["components"][0]["extrema"]);
+  }
+  SECTION("--field chooses the weights") {
+    quads_of({"--quads", "600", "--field", "clamped"});
+    CHECK((usual_bytes != contents(torus.quads())));
+  }
+  SECTION("--quiet prints nothing, --timings every stage") {
+    CHECK(torus.run({"--quads", "600", "--quiet"}).out.empty());
+    const Outcome timed = torus.run({"--quads", "600", "--timings"});
+    for (const std::string stage : {"reading", "field", "sampling", "certificate"})
+      CHECK(contains(timed.err, stage));
+  }
+}
+
+TEST_CASE("--persistence decides how many protrusions get an extremum") {
+  const Shape hand("hand", 4000);
+  REQUIRE(hand.run({"--persistence", "0.05"}).code == 0);
+  const std::size_t many = hand.report()["components"][0]["extrema"].size();
+  REQUIRE(hand.run({"--persistence", "0.9"}).code == 0);
+  const std::size_t few = hand.report()["components"][0]["extrema"].size();
+  CHECK(many > few);
+  CHECK(few >= 2);
+}
+
+TEST_CASE("an open cylinder keeps its rims, or has them filled") {
+  const Shape cylinder("cylinder", 2000);
+  REQUIRE(cylinder.run({"--quads", "500"}).code == 0);
+  CHECK(cylinder.report()["certificate"]["components"][0]["boundary_loops"] == 2);
+  REQUIRE(cylinder.run({"--quads", "500", "--fill-holes", "--hole-edges", "500"}).code == 0);
+  CHECK(cylinder.report()["certificate"]["components"][0]["boundary_loops"] == 0);
+}
+
+TEST_CASE("two components are meshed one by one") {
+  const Temporary_folder folder;
+  std::string both;
+  int first = 0;
+  for (const std::string name : {"torus", "sphere"}) {
+    const std::string file = folder.path(name + ".obj");
+    REQUIRE(reebquad({"shape", name, "-o", file, "--triangles", "1500"}).code == 0);
+    std::istringstream lines(contents(file));
+    std::string kind;
+    int points = 0;
+    while (lines >> kind) {
+      std::string rest;
+      if (kind == "v") {
+        double x, y, z;
+        lines >> x >> y >> z;
+        std::ostringstream line;
+        line.precision(17);
+        line << "v " << x + (name == "sphere" ? 5 : 0) << ' ' << y << ' ' << z << '\n';
+        both += line.str();
+        ++points;
+      } else if (kind == "f") {
+        int a, b, c;
+        lines >> a >> b >> c;
+        both += "f " + std::to_string(a + first) + ' ' + std::to_string(b + first) + ' ' +
+                std::to_string(c + first) + '\n';
+      } else {
+        std::getline(lines, rest);
+      }
+    }
+    first += points;
+  }
+  const std::string quads = folder.path("quads.off"), report_file = folder.path("report.json");
+  const Outcome outcome = reebquad(
+      {"run", folder.write("both.obj", both), "-o", quads, "--quads", "1000", "--report", report_file});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const Json report = Json::parse(contents(report_file));
+  REQUIRE(report["components"].size() == 2);
+  CHECK(report["components"][0]["genus"] == 1);
+  CHECK(report["components"][1]["genus"] == 0);
+  CHECK(report["certificate"]["components"].size() == 2);
+  CHECK(std::abs(report["statistics"]["quads"].get<int>() - 1000) <= 50);
+}
+
+TEST_CASE("a failed run writes nothing under the asked name and keeps what is there") {
+  const Shape torus("torus", 1000);
+  const std::string kept = torus.folder.write("quads.obj", "kept");
+  REQUIRE(torus.run({"--min", "1.4,0,0", "--max", "1.4,0,0"}).code == 2); // one vertex cannot be both
+  CHECK(contents(kept) == "kept");
+  std::filesystem::create_directory(torus.folder.path("taken.obj"));
+  const Outcome refused = reebquad({"run", torus.file, "-o", torus.folder.path("taken.obj")});
+  CHECK(refused.code == 1);
+  CHECK(contains(refused.err, "taken.obj"));
+}
+
+TEST_CASE("quads with a self-intersection are refused with 5 where strict validity is demanded") {
+  const Shape bar("hand", 4000);
+  bar.folder.write("quads.obj", "kept");
+  const Outcome outcome = bar.run({"--quads", "100", "--no-relax", "--validate"});
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.code == 5);
+  CHECK(contains(outcome.err, "nothing is written"));
+  CHECK(contents(bar.quads()) == "kept");
+  const Json report = bar.report();
+  CHECK(report["status"] == 5);
+  CHECK(report["output"].is_null());
+  CHECK(report["certificate"]["strictly_valid"] == false);
+}
+
+TEST_CASE("triangle formats come with a warning") {
+  const Shape torus("torus", 1000);
+  for (const std::string name : {"quads.stl", "quads.glb"}) {
+    const std::string file = torus.folder.path(name);
+    const Outcome outcome = reebquad({"run", torus.file, "-o", file, "--quads", "300"});
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.err, "triangles"));
+    CHECK(std::filesystem::file_size(file) > 1000);
+  }
+}
+
+TEST_CASE("pictures are PNG files, the same bytes every time") {
+  const Shape torus("torus", 1000);
+  const std::vector<std::string> names = {
+      "field.png",   "charts.png",           "reeb_graph.png", "quads.png", "quads_four_views.png",
+      "quality.png", "quality_histogram.png"};
+  const std::string first = torus.folder.path("a"), second = torus.folder.path("b/c");
+  REQUIRE(torus.run({"--quads", "300", "--pictures", first}).code == 0);
+  REQUIRE(torus.run({"--quads", "300", "--pictures", second}).code == 0);
+  for (const std::string& name : names) {
+    INFO(name);
+    const std::string bytes = contents(first + "/" + name);
+    CHECK(bytes.substr(1, 3) == "PNG");
+    CHECK((bytes == contents(second + "/" + name)));
+  }
+}
+
+TEST_CASE("Ctrl-C ends the run within half a second and leaves nothing behind") {
+  const Shape genus("genus-3", 150000);
+  for (const double moment : {0.05, 0.3, 0.7}) {
+    Limits limits;
+    limits.interrupt_after = moment;
+    limits.megabytes = 4000;
+    const Outcome outcome = genus.run({"--quads", "20000"}, limits);
+    INFO("after " << moment << " s: " << outcome.seconds_after_signal << " s " << outcome.err);
+    CHECK(outcome.code == 130);
+    CHECK(outcome.seconds_after_signal < 0.5 * patience + 0.5); // half a second more for a busy machine
+    CHECK_FALSE(std::filesystem::exists(genus.quads()));
+  }
+}
