@@ -15,7 +15,7 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-constexpr int width = 1200, height = 1000;
+constexpr int width = 1000, height = 800;
 
 Up_axis up_axis(const Point& axis) {
   Point::Index largest = 0;
@@ -69,28 +69,42 @@ void add_contours(Scene& scene, const Run& run, double pixels) {
   }
 }
 
-/// The mean points of a chart's level bands, from its low end to its high end: a line through its middle.
+/// The centroids of a chart's level bands, from its low end to its high end: a line through its middle.
 std::vector<Point> middle_line(const Chart& chart, const std::vector<double>& values) {
   constexpr int bands = 12;
+  const Triangle_surface& mesh = chart.mesh;
+  std::vector<double> value(mesh.points.size());
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const int v : chart.vertex_origin) {
-    if (v < 0) continue;
-    low = std::min(low, values[v]);
-    high = std::max(high, values[v]);
+  for (std::size_t v = 0; v < value.size(); ++v) {
+    const int origin = chart.vertex_origin[v];
+    value[v] = origin >= 0 ? values[origin] : std::numeric_limits<double>::quiet_NaN();
+    if (origin < 0) continue;
+    low = std::min(low, value[v]);
+    high = std::max(high, value[v]);
   }
   std::vector<Point> sum(bands, Point::Zero());
-  std::vector<int> number(bands, 0);
-  for (std::size_t i = 0; i < chart.vertex_origin.size(); ++i) {
-    const int v = chart.vertex_origin[i];
-    if (v < 0 || !(high > low)) continue;
-    const int band = std::min(bands - 1, int(bands * (values[v] - low) / (high - low)));
-    sum[band] += chart.mesh.points[i];
-    ++number[band];
+  std::vector<double> area(bands, 0);
+  for (const Triangle& t : mesh.triangles) {
+    const double mean = (value[t[0]] + value[t[1]] + value[t[2]]) / 3;
+    if (!(mean >= low && mean <= high && low < high)) continue;
+    const Point &p = mesh.points[t[0]], &q = mesh.points[t[1]], &r = mesh.points[t[2]];
+    const int band = std::min(bands - 1, int(bands * (mean - low) / (high - low)));
+    const double weight = (q - p).cross(r - p).norm();
+    sum[band] += weight * (p + q + r) / 3;
+    area[band] += weight;
   }
   std::vector<Point> line;
   for (int band = 0; band < bands; ++band)
-    if (number[band] > 0) line.push_back(sum[band] / number[band]);
+    if (area[band] > 0) line.push_back(sum[band] / area[band]);
   return line;
+}
+
+/// Each inner point moves to the mean of itself and its neighbours, a few times.
+void smooth(std::vector<Point>& line) {
+  for (int round = 0; round < 3; ++round) {
+    const std::vector<Point> old = line;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) line[i] = (old[i - 1] + old[i] + old[i + 1]) / 3;
+  }
 }
 
 std::vector<Point> node_positions(const Reeb_layout& layout) {
@@ -123,6 +137,7 @@ void add_reeb_graph(Scene& scene, const Reeb_layout& layout) {
     std::vector<Point> line = middle_line(layout.atlas.charts[c], values);
     line.insert(line.begin(), nodes[layout.graph.arcs[c].low]);
     line.push_back(nodes[layout.graph.arcs[c].high]);
+    smooth(line);
     arcs.push_back(std::move(line));
   }
   add_graph(scene, nodes, arcs, colours);
@@ -171,7 +186,7 @@ void write_pictures(const Run& run, const Run_options& options) {
   write(view(graph), "reeb_graph.png");
   const Scene quads = quad_scene(run.quads);
   write(view(quads), "quads.png");
-  write(contact_sheet(quads, up, 2 * width, 2 * height), "quads_four_views.png");
+  write(contact_sheet(quads, up, 3 * width / 2, 3 * height / 2), "quads_four_views.png");
   write(view(quality_scene(run.quads)), "quality.png");
   write(quality_histogram(*run.statistics), "quality_histogram.png");
 }

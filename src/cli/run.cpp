@@ -203,17 +203,21 @@ private:
     std::cerr << "reebquad: nothing is written to " << m_options.output << '\n';
   }
 
-  static void print_timings(const std::vector<Stage_time>& stages) {
-    for (const Stage_time& stage : stages)
+  static void print_timings(const std::vector<Stage_time>& stages, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < std::min(last, stages.size()); ++i) {
+      const Stage_time& stage = stages[i];
       std::fprintf(stderr, "  %-16s %8.3f s %8.3f s cpu %8.0f MB\n", stage.name.c_str(), stage.seconds,
                    stage.cpu_seconds, stage.peak_megabytes);
+    }
   }
 
   void print_timings() const {
     std::cout.flush();
+    constexpr std::size_t before_meshing = 2; // reading and mending
+    print_timings(m_run.stages, 0, before_meshing);
     for (const Component_run& component : m_run.components)
-      if (component.result) print_timings(component.result->stages);
-    print_timings(m_run.stages);
+      if (component.result) print_timings(component.result->stages, 0, component.result->stages.size());
+    print_timings(m_run.stages, before_meshing, m_run.stages.size());
   }
 
   const Run_options& m_options;
