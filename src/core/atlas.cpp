@@ -13,26 +13,32 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// Colours faces by the regions between walls; regions are numbered by their smallest face.
+// Colours faces by the regions between walls; regions are numbered by their smallest face, and list their faces in order.
 std::vector<std::vector<int>> flood_regions(const Embedding& embedding, std::vector<int>& region_of_face) {
   const Triangle_surface& s = embedding.surface;
-  std::vector<std::vector<int>> regions;
+  std::vector<int> sizes, stack;
   region_of_face.assign(s.number_of_faces(), -1);
   for (int first = 0; first < s.number_of_faces(); ++first) {
     if (region_of_face[first] >= 0) continue;
-    const int region = int(regions.size());
-    std::vector<int> faces{first};
+    const int region = int(sizes.size());
+    sizes.push_back(1);
+    stack.assign(1, first);
     region_of_face[first] = region;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      for (int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+    while (!stack.empty()) {
+      const int f = stack.back();
+      stack.pop_back();
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
         const int o = s.opposite[h];
         if (o < 0 || embedding.is_wall(h) || region_of_face[o / 3] >= 0) continue;
         region_of_face[o / 3] = region;
-        faces.push_back(o / 3);
+        ++sizes[region];
+        stack.push_back(o / 3);
       }
-    std::sort(faces.begin(), faces.end());
-    regions.push_back(std::move(faces));
+    }
   }
+  std::vector<std::vector<int>> regions(sizes.size());
+  for (std::size_t r = 0; r < regions.size(); ++r) regions[r].reserve(sizes[r]);
+  for (int f = 0; f < s.number_of_faces(); ++f) regions[region_of_face[f]].push_back(f);
   return regions;
 }
 
@@ -316,7 +322,7 @@ std::map<Border_set, int> charts_by_border(const Atlas& atlas) {
 } // namespace
 
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
-                          const std::vector<int>& extrema, const Atlas* previous, std::vector<int>* reused) {
+                          const std::vector<int>& extrema, Atlas* previous, std::vector<int>* reused) {
   Atlas atlas;
   atlas.charts_of_edge.assign(network.edges.size(), {-1, -1});
   const std::vector<std::vector<int>> regions = flood_regions(embedding, atlas.chart_of_face);
@@ -328,18 +334,20 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
   if (previous) known = charts_by_border(*previous);
   const std::vector<Border_set> borders = borders_of_regions(embedding, atlas.chart_of_face, regions.size());
   Chart_builder builder(embedding, network, extrema);
-  if (reused) reused->clear();
+  std::vector<int> source(regions.size(), -1);
+  atlas.charts.resize(regions.size());
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    const auto found = known.find(borders[r]);
-    if (reused) reused->push_back(found == known.end() ? -1 : found->second);
-    if (found != known.end()) {
-      atlas.charts.push_back(previous->charts[found->second]);
+    if (const auto found = known.find(borders[r]); found != known.end()) {
+      source[r] = found->second;
       continue;
     }
     Result<Chart> chart = builder.build(regions[r], int(r));
     if (!chart) return chart.error();
-    atlas.charts.push_back(std::move(*chart));
+    atlas.charts[r] = std::move(*chart);
   }
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (source[r] >= 0) atlas.charts[r] = std::move(previous->charts[source[r]]);
+  if (reused) *reused = std::move(source);
   return atlas;
 }
 

@@ -68,10 +68,10 @@ struct Reeb_graph {
 
 /// Floods the faces between contours and boundaries, O(F), and checks each region: an annulus with one LOW and one HIGH
 /// walk, or a disc with one walk and exactly one vertex of `extrema` inside. Fails with `internal_error`, naming the chart.
-/// A chart of `previous` with the same contour edges on its walks is taken over as it is; `reused`, if given, gets its index
+/// A chart of `previous` with the same contour edges on its walks is moved from there as it is, on success only; `reused`, if given, gets its index
 /// there for each new chart, or -1. \pre Since then contour edges were only removed and added, and no crossing was moved.
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
-                          const std::vector<int>& extrema, const Atlas* previous = nullptr,
+                          const std::vector<int>& extrema, Atlas* previous = nullptr,
                           std::vector<int>* reused = nullptr);
 
 Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network);
