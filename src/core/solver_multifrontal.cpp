@@ -67,6 +67,7 @@ struct Multifrontal_solver::Implementation {
   std::vector<Numbers> stacks;
   bool is_analyzed = false, is_factorized = false, is_incremental = false;
   int threads = 1;
+  Ordering ordering = Ordering::by_size;
   int eliminated_fronts = 0;
   const Dense_kernels* kernels = &internal::dense_kernels();
   mutable std::vector<double> permuted, front_x;
@@ -287,6 +288,11 @@ void Multifrontal_solver::set_threads(int threads) {
   if (m_implementation->is_analyzed) m_implementation->plan_tasks();
 }
 
+void Multifrontal_solver::set_ordering(Ordering ordering) {
+  m_implementation->is_analyzed = m_implementation->is_analyzed && ordering == m_implementation->ordering;
+  m_implementation->ordering = ordering;
+}
+
 void Multifrontal_solver::set_incremental(bool incremental) {
   if (incremental == m_implementation->is_incremental) return;
   m_implementation->is_incremental = incremental;
@@ -299,7 +305,7 @@ Result<void> Multifrontal_solver::analyze(const Symmetric_matrix& pattern) {
   impl.is_analyzed = impl.is_factorized = false;
   const Result<void> checked = check_pattern(pattern);
   if (!checked) return checked;
-  Result<Assembly_tree> tree = internal::analyze_pattern(pattern);
+  Result<Assembly_tree> tree = internal::analyze_pattern(pattern, impl.ordering);
   if (!tree) return tree.error();
   impl.tree = std::move(*tree);
   impl.matrix = pattern;

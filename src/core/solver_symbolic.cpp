@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver_symbolic.h"
 
-#include <amd.h>
+#include "solver_ordering.h"
 
 #include <algorithm>
 #include <numeric>
@@ -335,21 +335,34 @@ void place_entries(const Symmetric_matrix& m, const std::vector<int>& place, Ass
     }
 }
 
+// By size, dissection is for large sparse graphs such as those of surfaces.
+bool uses_dissection(const Symmetric_matrix& m, Multifrontal_solver::Ordering ordering) {
+  constexpr int smallest = 30000;
+  constexpr std::size_t most_entries = 10; // a row of the lower triangle; a triangulation has four
+  switch (ordering) {
+  case Multifrontal_solver::Ordering::minimum_degree: return false;
+  case Multifrontal_solver::Ordering::nested_dissection: return true;
+  case Multifrontal_solver::Ordering::by_size: break;
+  }
+  return m.size >= smallest && m.row.size() < most_entries * std::size_t(m.size);
+}
+
 } // namespace
 
-Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& m) {
+Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& m, Multifrontal_solver::Ordering ordering) {
   Assembly_tree tree;
   tree.child_begin = tree.entry_begin = {0};
   if (m.size == 0) return tree;
-  std::vector<int> degree_order(m.size);
-  if (amd_order(m.size, m.column_begin.data(), m.row.data(), degree_order.data(), nullptr, nullptr) != AMD_OK)
-    return make_error(Error_code::solver_failure, "The unknowns could not be ordered: not enough memory.");
+  const Result<std::vector<int>> ordered =
+      uses_dissection(m, ordering) ? dissection_order(m) : minimum_degree_order(m);
+  if (!ordered) return ordered.error();
+  const std::vector<int>& first_order = *ordered;
 
-  const std::vector<int> raw_parent = elimination_tree(adjacency(m, inverse(degree_order), true), m.size);
+  const std::vector<int> raw_parent = elimination_tree(adjacency(m, inverse(first_order), true), m.size);
   const std::vector<int> post = postorder(raw_parent), place_in_post = inverse(post);
   std::vector<int> original(m.size), parent(m.size);
   for (int j = 0; j < m.size; ++j) {
-    original[j] = degree_order[post[j]];
+    original[j] = first_order[post[j]];
     parent[j] = raw_parent[post[j]] < 0 ? -1 : place_in_post[raw_parent[post[j]]];
   }
   const std::vector<int> count = column_counts(adjacency(m, inverse(original), false), parent);

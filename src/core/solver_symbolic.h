@@ -3,7 +3,7 @@
 #ifndef REEBQUAD_SRC_SOLVER_SYMBOLIC_H
 #define REEBQUAD_SRC_SOLVER_SYMBOLIC_H
 
-#include <CGAL/Reeb_quadrangulation/linear_solver.h>
+#include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 
 #include <cstddef>
 #include <vector>
@@ -55,10 +55,11 @@ struct Assembly_tree {
   double operations = 0; ///< multiplications and additions of a factorization
 };
 
-/// Orders by approximate minimum degree (Amestoy, Davis and Duff 1996), finds the elimination tree (Liu 1990)
+/// Orders the unknowns (solver_ordering.h), finds the elimination tree (Liu 1990)
 /// and the column counts (Gilbert, Ng and Peyton 1994) in nearly linear time, and merges columns into fronts
 /// where that is estimated to save time. \pre The pattern is checked.
-Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& pattern);
+Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& pattern,
+                                      Multifrontal_solver::Ordering ordering);
 
 } // namespace internal
 } // namespace Reeb_quadrangulation

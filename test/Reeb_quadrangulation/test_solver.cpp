@@ -4,6 +4,7 @@
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 
+#include "../../src/core/solver_kernels.h"
 #include "tiny_surfaces.h"
 
 #include <Eigen/Dense>
@@ -141,6 +142,38 @@ TEST_CASE("right-hand sides solved together have the bits of those solved alone"
   }
 }
 
+TEST_CASE("this machine's kernels give the bits of the portable ones") {
+  using internal::Dense_kernels;
+  Sequence random(10);
+  const Dense_kernels &fast = internal::dense_kernels(), &portable = internal::portable_dense_kernels();
+  for (const int columns : {1, 2, 3, 4, 5, 7, 8, 13, 64, 67, 68, 69, 140})
+    for (const int rows : {0, 4, 8, 12, 44, 48, 52, 100}) {
+      const int ld = columns + rows;
+      Eigen::MatrixXd panel(ld, columns), update(ld * ld + 16, 1), x(ld, 3);
+      for (Eigen::MatrixXd* a : {&panel, &update, &x})
+        for (Eigen::Index i = 0; i < a->size(); ++i) a->data()[i] = random.next() - 0.5;
+      for (int j = 0; j < columns; ++j) panel(j, j) += ld;
+      const std::vector<double> threshold(columns, 0.0);
+      std::vector<double> scratch(internal::scratch_size(ld));
+      for (const bool is_zero : {false, true}) {
+        Eigen::MatrixXd p = panel, q = panel, u = update, v = update, y = x, z = x;
+        REQUIRE(fast.factorize(p.data(), columns, ld, threshold.data(), scratch.data()) == -1);
+        REQUIRE(portable.factorize(q.data(), columns, ld, threshold.data(), scratch.data()) == -1);
+        fast.update(p.data(), columns, rows, u.data(), 0, rows / 4, is_zero, scratch.data());
+        const int middle = rows / 12; // in two parts, as two threads do
+        portable.update(q.data(), columns, rows, v.data(), 0, middle, is_zero, scratch.data());
+        portable.update(q.data(), columns, rows, v.data(), middle, rows / 4, is_zero, scratch.data());
+        fast.forward(p.data(), columns, ld, y.data(), 3);
+        portable.forward(q.data(), columns, ld, z.data(), 3);
+        fast.backward(p.data(), columns, ld, y.data(), 3);
+        portable.backward(q.data(), columns, ld, z.data(), 3);
+        CHECK(same_bits(p, q));
+        CHECK(same_bits(u, v));
+        CHECK(same_bits(y, z));
+      }
+    }
+}
+
 TEST_CASE("threads, repetition and a new solver leave the bits as they are") {
   Sequence random(4);
   for (const Symmetric_matrix& m : {torus_matrix(9, 7), torus_matrix(120, 70)}) {
@@ -165,7 +198,10 @@ TEST_CASE("threads, repetition and a new solver leave the bits as they are") {
 TEST_CASE("an incremental factorization has the bits of one from scratch and redoes less") {
   Sequence random(5);
   Symmetric_matrix m = torus_matrix(90, 60);
+  const auto ordering = GENERATE(Multifrontal_solver::Ordering::minimum_degree,
+                                 Multifrontal_solver::Ordering::nested_dissection);
   Multifrontal_solver incremental;
+  incremental.set_ordering(ordering);
   incremental.set_incremental(true);
   REQUIRE(bool(incremental.factorize(m)));
   CHECK(incremental.eliminated_fronts() == incremental.number_of_fronts());
@@ -182,6 +218,7 @@ TEST_CASE("an incremental factorization has the bits of one from scratch and red
     CHECK(incremental.eliminated_fronts() > 0);
     CHECK(incremental.eliminated_fronts() < incremental.number_of_fronts() / 2);
     Multifrontal_solver scratch;
+    scratch.set_ordering(ordering);
     REQUIRE(bool(scratch.factorize(m)));
     Eigen::VectorXd x = random_vector(m.size, random), y = x;
     REQUIRE(bool(incremental.solve(x.data())));
@@ -208,6 +245,46 @@ TEST_CASE("after a refusal an incremental solver is as good as a new one") {
   REQUIRE(bool(solver.solve(x.data())));
   REQUIRE(bool(fresh.solve(y.data())));
   CHECK(same_bits(x, y));
+}
+
+TEST_CASE("every ordering serves matrices of every shape") {
+  Sequence random(9);
+  std::vector<Named_matrix> all = definite_matrices();
+  all.push_back({"large and diagonal", dominant(2500, random, [](int, int) { return false; })});
+  all.push_back({"large arrow", dominant(2500, random, [](int, int j) { return j == 0; })});
+  all.push_back({"many blocks", dominant(2500, random, [](int i, int j) { return i / 3 == j / 3; })});
+  all.push_back({"long chain", dominant(2500, random, [](int i, int j) { return i == j + 1; })});
+  for (const Named_matrix& named : all) {
+    INFO(named.name);
+    const Symmetric_matrix m = sparse(named.matrix);
+    const Eigen::VectorXd b = random_vector(m.size, random);
+    for (const auto ordering :
+         {Multifrontal_solver::Ordering::minimum_degree, Multifrontal_solver::Ordering::nested_dissection}) {
+      Multifrontal_solver solver;
+      solver.set_ordering(ordering);
+      REQUIRE(bool(solver.factorize(m)));
+      Eigen::VectorXd x = b;
+      REQUIRE(bool(solver.solve(x.data())));
+      CHECK(relative_residual(m, x.data(), b.data()) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("nested dissection saves operations on a large surface, and its order is always the same") {
+  const Symmetric_matrix m = torus_matrix(260, 160);
+  Multifrontal_solver degree, dissection, again, automatic;
+  degree.set_ordering(Multifrontal_solver::Ordering::minimum_degree);
+  dissection.set_ordering(Multifrontal_solver::Ordering::nested_dissection);
+  again.set_ordering(Multifrontal_solver::Ordering::nested_dissection);
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(m.size), y = x, z = x;
+  REQUIRE((bool(degree.factorize(m)) && bool(degree.solve(x.data()))));
+  REQUIRE((bool(dissection.factorize(m)) && bool(dissection.solve(y.data()))));
+  REQUIRE((bool(again.factorize(m)) && bool(again.solve(z.data()))));
+  REQUIRE(bool(automatic.analyze(m)));
+  CHECK(dissection.operations() < 0.8 * degree.operations());
+  CHECK(automatic.operations() == dissection.operations());
+  CHECK(same_bits(y, z));
+  CHECK((x - y).norm() < 1e-9 * x.norm());
 }
 
 TEMPLATE_TEST_CASE("a matrix that is not positive definite is refused by a row", "", Multifrontal_solver,
