@@ -181,7 +181,8 @@ REEBQUAD_ALWAYS_INLINE int factorize_panel(double* panel, int columns, int leadi
     for (int j = begin; j < end; j += block, block = width) {
       double* corner = panel + j * stride + j;
       const double* rows = panel + begin * stride + j;
-      update_block<Vectors>(corner, stride, rows, rows, stride, j - begin, leading_dimension - j, false);
+      if (j > begin) // before that, the rows need not come in packs
+        update_block<Vectors>(corner, stride, rows, rows, stride, j - begin, leading_dimension - j, false);
       const int failed = factorize_block(corner, stride, block, leading_dimension - j - block, threshold + j);
       if (failed >= 0) return j + failed;
     }
