@@ -18,6 +18,20 @@ int border_halfedge(const Chart& chart, int vertex) {
   return chart.mesh.outgoing[vertex];
 }
 
+Result<void> check_weights(const Triangle_surface& mesh, const Edge_weights& weights) {
+  if (int(weights.of_halfedge.size()) != mesh.number_of_halfedges())
+    return make_error(Error_code::impossible_request, "a chart's weights are not one for each halfedge");
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const double w = weights.of_halfedge[h],
+                 other = mesh.is_boundary(h) ? w : weights.of_halfedge[mesh.opposite[h]];
+    if (!(w > 0) || !std::isfinite(w) || w != other)
+      return make_error(Error_code::impossible_request,
+                        "a chart's weights must be positive, finite and alike on both sides of an edge",
+                        Element_kind::edge, h);
+  }
+  return {};
+}
+
 } // namespace
 
 double Height_profile::level_at(double fraction) const {
@@ -32,9 +46,14 @@ double Height_profile::level_at(double fraction) const {
 }
 
 Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart) {
-  Chart_parameterization p;
+  return prepare(chart, clamped_cotangent_weights(chart.mesh));
+}
+
+Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart, Edge_weights weights) {
   const Triangle_surface& mesh = chart.mesh;
-  p.m_weights = clamped_cotangent_weights(mesh);
+  if (Result<void> checked = check_weights(mesh, weights); !checked) return checked.error();
+  Chart_parameterization p;
+  p.m_weights = std::move(weights);
   std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
   for (const Walk& walk : chart.walks)
     for (int v : walk.vertices) is_fixed[v] = 1;

@@ -48,6 +48,65 @@ Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::v
 
 namespace {
 
+// The nearest vertex that is not on the boundary, or -1.
+int nearest_vertex(const Triangle_surface& s, const Point& p) {
+  int best = -1;
+  for (int v = 0; v < s.number_of_vertices(); ++v)
+    if (s.outgoing[v] >= 0 && !s.is_boundary(s.outgoing[v]) &&
+        (best < 0 || (s.points[v] - p).squaredNorm() < (s.points[best] - p).squaredNorm()))
+      best = v;
+  return best;
+}
+
+} // namespace
+
+Result<Designed_field> choose_extrema(const Triangle_surface& surface, const Quadrangulation_options& options,
+                                      Observer* observer) {
+  Designed_field field;
+  Result<Suggestion> suggested = suggest_extrema(surface, options.suggestion, observer);
+  if (!suggested) return suggested.error();
+  field.boundary_is_maximum = suggested->boundary_is_maximum;
+  if (options.extrema.empty()) {
+    for (const Suggested_extremum& e : suggested->extrema)
+      (e.is_maximum ? field.maxima : field.minima).push_back(e.vertex);
+  } else {
+    for (const Placed_extremum& e : options.extrema)
+      (e.is_maximum ? field.maxima : field.minima).push_back(nearest_vertex(surface, e.point));
+  }
+  for (auto* list : {&field.minima, &field.maxima}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  for (int v : field.minima)
+    if (std::binary_search(field.maxima.begin(), field.maxima.end(), v))
+      return make_error(Error_code::impossible_request, "a vertex is asked to be a minimum and a maximum",
+                        Element_kind::vertex, v);
+  return field;
+}
+
+Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_options& options,
+                         Designed_field& field) {
+  Harmonic_field harmonic(surface);
+  harmonic.set_weights(options.weights);
+  harmonic.set_method(options.constraints);
+  std::vector<int> wanted = field.minima;
+  wanted.insert(wanted.end(), field.maxima.begin(), field.maxima.end());
+  for (const bool is_maximum : {false, true})
+    for (int v : is_maximum ? field.maxima : field.minima)
+      if (Result<void> set = harmonic.set_constraint(v, is_maximum); !set) return set;
+  const std::vector<std::vector<int>> loops = boundary_loops(surface);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    for (int h : loops[i])
+      if (Result<void> set = harmonic.set_constraint(surface.source(h), field.boundary_is_maximum[i]); !set)
+        return set;
+  Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
+  if (!solved) return solved.error();
+  field.values = std::move(solved->values);
+  return {};
+}
+
+namespace {
+
 class Pipeline {
 public:
   Pipeline(const Triangle_surface& input, const Quadrangulation_options& options, Observer* observer)
@@ -85,8 +144,7 @@ private:
                         "the surface has several components: mesh them one by one");
     if (m_options.edge_length <= 0 && m_options.quads < 1)
       return make_error(Error_code::impossible_request, "the number of quads must be positive");
-    m_loops = boundary_loops(m_input);
-    m_result.genus = (2 - euler_characteristic(m_input) - int(m_loops.size())) / 2;
+    m_result.genus = (2 - euler_characteristic(m_input) - int(boundary_loops(m_input).size())) / 2;
     return {};
   }
 
@@ -108,66 +166,19 @@ private:
     if (!prepared) return prepared.error();
     m_result.working_surface = std::move(prepared->surface);
     m_result.preparation = prepared->report;
-    m_loops = boundary_loops(m_result.working_surface);
     return {};
   }
 
   Result<void> choose_extrema() {
-    const Triangle_surface& s = m_result.working_surface;
-    Designed_field& field = m_result.field;
-    Result<Suggestion> suggested = suggest_extrema(s, m_options.suggestion, m_clock.observer());
-    if (!suggested) return suggested.error();
-    field.boundary_is_maximum = suggested->boundary_is_maximum;
-    if (m_options.extrema.empty()) {
-      for (const Suggested_extremum& e : suggested->extrema)
-        (e.is_maximum ? field.maxima : field.minima).push_back(e.vertex);
-    } else {
-      for (const Placed_extremum& e : m_options.extrema)
-        (e.is_maximum ? field.maxima : field.minima).push_back(nearest_vertex(e.point));
-    }
-    for (auto* list : {&field.minima, &field.maxima}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
-    for (int v : field.minima)
-      if (std::binary_search(field.maxima.begin(), field.maxima.end(), v))
-        return make_error(Error_code::impossible_request, "a vertex is asked to be a minimum and a maximum",
-                          Element_kind::vertex, v);
+    Result<Designed_field> field =
+        Reeb_quadrangulation::choose_extrema(m_result.working_surface, m_options, m_clock.observer());
+    if (!field) return field.error();
+    m_result.field = std::move(*field);
     return {};
-  }
-
-  int nearest_vertex(const Point& p) const {
-    const Triangle_surface& s = m_result.working_surface;
-    std::vector<char> on_boundary(s.number_of_vertices(), 0);
-    for (const auto& loop : m_loops)
-      for (int h : loop) on_boundary[s.source(h)] = 1;
-    int best = -1;
-    for (int v = 0; v < s.number_of_vertices(); ++v)
-      if (!on_boundary[v] &&
-          (best < 0 || (s.points[v] - p).squaredNorm() < (s.points[best] - p).squaredNorm()))
-        best = v;
-    return best;
   }
 
   Result<void> solve_field() {
-    const Triangle_surface& s = m_result.working_surface;
-    Designed_field& field = m_result.field;
-    Harmonic_field harmonic(s);
-    harmonic.set_weights(m_options.weights);
-    harmonic.set_method(m_options.constraints);
-    std::vector<int> wanted = field.minima;
-    wanted.insert(wanted.end(), field.maxima.begin(), field.maxima.end());
-    for (const bool is_maximum : {false, true})
-      for (int v : is_maximum ? field.maxima : field.minima)
-        if (Result<void> set = harmonic.set_constraint(v, is_maximum); !set) return set;
-    for (std::size_t i = 0; i < m_loops.size(); ++i)
-      for (int h : m_loops[i])
-        if (Result<void> set = harmonic.set_constraint(s.source(h), field.boundary_is_maximum[i]); !set)
-          return set;
-    Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
-    if (!solved) return solved.error();
-    field.values = std::move(solved->values);
-    return {};
+    return Reeb_quadrangulation::solve_field(m_result.working_surface, m_options, m_result.field);
   }
 
   Result<void> cut() {
@@ -189,7 +200,10 @@ private:
     const std::vector<Chart>& charts = m_result.layout.atlas.charts;
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
       if (reused[c] >= 0) return {};
-      Result<Chart_parameterization> map = Chart_parameterization::prepare(charts[c]);
+      Result<Chart_parameterization> map =
+          m_options.chart_weights
+              ? Chart_parameterization::prepare(charts[c], m_options.chart_weights(charts[c]))
+              : Chart_parameterization::prepare(charts[c]);
       if (!map) return map.error();
       m_maps[c] = std::move(*map);
       return {};
@@ -320,9 +334,10 @@ private:
     std::vector<int> flipped(charts.size(), 0);
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
       const std::array<int, 2> grid = m_result.sampling.grid[c];
-      Result<Placed_texture> placed = charts[c].kind == Chart_kind::annulus
-                                          ? place_annulus(charts[c], m_samples, grid[1], m_maps[c])
-                                          : place_disc(charts[c], m_samples, grid[0], grid[1], m_maps[c]);
+      Result<Placed_texture> placed =
+          charts[c].kind == Chart_kind::annulus
+              ? place_annulus(charts[c], m_samples, grid[1], m_maps[c], m_options.textures)
+              : place_disc(charts[c], m_samples, grid[0], grid[1], m_maps[c], m_options.textures);
       if (!placed) return placed.error();
       m_textures[c] = std::move(*placed);
       flipped[c] = m_maps[c].flipped(charts[c]);
@@ -379,7 +394,6 @@ private:
   Quadrangulation m_result;
   internal::Stage_clock<Stage_time> m_clock;
   int m_threads = 1;
-  std::vector<std::vector<int>> m_loops;
   std::vector<Chart_parameterization> m_maps;
   Contour_samples m_samples;
   std::vector<Placed_texture> m_textures;

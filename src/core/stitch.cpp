@@ -17,6 +17,11 @@ bool strictly_increasing(const std::vector<double>& x) {
   return true;
 }
 
+// Whether the rows' levels go from 0 to 1.
+bool are_levels(const std::vector<double>& u) {
+  return u.size() >= 2 && u.front() == 0 && u.back() == 1 && strictly_increasing(u);
+}
+
 void normalise(std::vector<double>& x) {
   const double first = x.front(), range = x.back() - first;
   for (double& value : x) value = range > 0 ? (value - first) / range : 0;
@@ -100,7 +105,7 @@ std::vector<double> walk_coordinates(const Walk& walk, const Contour_samples& sa
 }
 
 Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
-                                     Chart_parameterization& map) {
+                                     Chart_parameterization& map, const Texture_maker& maker) {
   std::array<std::vector<double>, 2> x;
   std::array<double, 2> mean{{0, 0}};
   for (int w = 0; w < 2; ++w) {
@@ -117,10 +122,14 @@ Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& 
   const int shift = int(std::lround(columns * (mean[0] - mean[1])));
   for (double& value : x[1]) value += double(shift) / columns;
   if (Result<void> solved = map.solve_columns(chart, x[0], x[1]); !solved) return solved.error();
-  std::vector<double> levels;
-  for (int r = 0; r <= rows; ++r)
-    levels.push_back(r == 0 ? 0 : r == rows ? 1 : map.profile().level_at(double(r) / rows));
-  placed.texture = regular_annulus_texture(columns, levels);
+  const std::vector<double> levels =
+      maker.levels ? maker.levels(map.profile(), rows) : equal_rows(map.profile(), rows);
+  if (maker.levels && !are_levels(levels))
+    return make_error(Error_code::impossible_request, "the rows' levels do not increase from 0 to 1");
+  placed.texture = maker.annulus ? maker.annulus(columns, levels) : regular_annulus_texture(columns, levels);
+  if (maker.annulus)
+    if (Result<void> checked = check_texture(placed.texture, {columns, columns}, false); !checked)
+      return checked.error();
   placed.offset = {0, shift};
   placed.location = locate(chart, map, placed.texture.v, placed.texture.u);
   return placed;
@@ -159,7 +168,7 @@ int best_corner(const std::vector<Point>& p, int a, int b) {
 } // namespace
 
 Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
-                                  Chart_parameterization& map) {
+                                  Chart_parameterization& map, const Texture_maker& maker) {
   const Walk& walk = chart.walks[0];
   const bool clockwise = walk.side == Side::high;
   const std::vector<double> x = walk_coordinates(walk, samples);
@@ -191,7 +200,10 @@ Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& sam
   }
   if (Result<void> solved = map.solve_rectangle(chart, px, py); !solved) return solved.error();
   Placed_texture placed;
-  placed.texture = regular_disc_texture(a, b, clockwise);
+  placed.texture = maker.disc ? maker.disc(a, b, clockwise) : regular_disc_texture(a, b, clockwise);
+  if (maker.disc)
+    if (Result<void> checked = check_texture(placed.texture, {n}, clockwise); !checked)
+      return checked.error();
   placed.offset = {-corner, 0};
   placed.location = locate(chart, map, placed.texture.v, placed.texture.u);
   return placed;

@@ -33,6 +33,11 @@ public:
   /// The chart is only read, and only by this function and by `solve_*`, which must be given the same one.
   static Result<Chart_parameterization> prepare(const Chart& chart);
 
+  /// The same with other weights of the chart's edges than clamped cotangents; see `prepare_chart()`. Fails with
+  /// `impossible_request`, naming the edge by a halfedge, where a weight is not positive and finite or the two halfedges of an
+  /// edge differ: only symmetric positive weights keep the map from folding.
+  static Result<Chart_parameterization> prepare(const Chart& chart, Edge_weights weights);
+
   /// \name Annuli
   /// @{
   const Height_profile& profile() const { return m_profile; }

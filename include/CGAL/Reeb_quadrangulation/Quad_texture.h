@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Chart_parameterization.h>
 
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -21,11 +22,28 @@ struct Quad_texture {
   std::vector<std::vector<int>> sides;
 };
 
+/// The U of `rows + 1` level lines, from 0 to 1, that cut an annulus into rows of equal height.
+std::vector<double> equal_rows(const Height_profile& profile, int rows);
+
 /// `columns` x `levels.size() - 1` quads; `levels` are the rows' U from 0 to 1.
 Quad_texture regular_annulus_texture(int columns, const std::vector<double>& levels);
 
 /// a x b quads. The side runs counterclockwise, or clockwise if `clockwise` (the walk of a minimum's disc).
 Quad_texture regular_disc_texture(int a, int b, bool clockwise);
+
+/// How the textures of charts are made; an empty function stands for the default. `texture_maker()` makes one from a model of
+/// `QuadTextureTraits`, where it is told what the functions must do.
+struct Texture_maker {
+  std::function<std::vector<double>(const Height_profile& profile, int rows)> levels; ///< `equal_rows`
+  std::function<Quad_texture(int columns, const std::vector<double>& levels)>
+      annulus;                                                    ///< `regular_annulus_texture`
+  std::function<Quad_texture(int a, int b, bool clockwise)> disc; ///< `regular_disc_texture`
+};
+
+/// Checks that a texture is a quad mesh of an annulus (`samples` has two entries, LOW and HIGH) or a disc (one) whose boundary is its
+/// sides, of as many vertices as `samples` says, with finite parameters. Fails with `impossible_request` and the reason.
+/// O(Q log Q). A disc's side runs clockwise if `clockwise`.
+Result<void> check_texture(const Quad_texture& texture, const std::vector<int>& samples, bool clockwise);
 
 /// A place on a chart: a face and barycentric coordinates in it.
 struct Chart_location {

@@ -11,6 +11,7 @@
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,6 +38,10 @@ struct Quadrangulation_options {
   bool prepare =
       true; ///< refine and mend a working copy where the surface is coarse or its triangles are needles
   bool collapse_thin = true; ///< align the saddles of charts that are thinner than half a quad
+  /// The weights of a chart's map, and how charts are filled; empty: clamped cotangents, regular grids. Called from several
+  /// threads at once.
+  std::function<Edge_weights(const Chart&)> chart_weights;
+  Texture_maker textures;
   double sample_blend = 0.5; ///< samples by arc length (0) to samples by flux (1)
   bool relax = true;         ///< relax the quads on the surface
   Relax_options relaxation;
@@ -79,6 +84,15 @@ struct Quadrangulation {
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
+
+/// The extrema that the options ask for, in increasing order, and whether each boundary loop is a maximum; `values` is left empty.
+Result<Designed_field> choose_extrema(const Triangle_surface& surface,
+                                      const Quadrangulation_options& options = {},
+                                      Observer* observer = nullptr);
+
+/// Fills in `field.values`: harmonic, 0 at minima and 1 at maxima. Fails with `solver_failure`.
+Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_options& options,
+                         Designed_field& field);
 
 /// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left out: its edge `i` is
 /// contour edge `edges[i]` of the network.

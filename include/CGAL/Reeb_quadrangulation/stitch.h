@@ -38,13 +38,13 @@ struct Placed_texture {
 };
 
 /// Solves V of an annulus for the samples, turning the HIGH walk by the whole number of columns that fits the natural V best, and
-/// fills it with `rows` rows of equal height.
+/// fills it with `rows` rows of equal height, or as `maker` does. A texture that does not fit is an `impossible_request`.
 Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
-                                     Chart_parameterization& map);
+                                     Chart_parameterization& map, const Texture_maker& maker = {});
 
-/// Maps a disc to a x b, its corners where they span the largest quadrilateral, and fills it regularly.
+/// Maps a disc to a x b, its corners where they span the largest quadrilateral, and fills it regularly, or as `maker` does.
 Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
-                                  Chart_parameterization& map);
+                                  Chart_parameterization& map, const Texture_maker& maker = {});
 
 /// The stitched quad mesh and what every vertex is.
 struct Stitched_mesh {
