@@ -20,6 +20,8 @@
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Quad_texture.h>
+#include <CGAL/Reeb_quadrangulation/Quad_texture_traits.h>
+#include <CGAL/Reeb_quadrangulation/Reeb_chart_traits.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
 #include <CGAL/Reeb_quadrangulation/Result.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
@@ -27,11 +29,14 @@
 #include <CGAL/Reeb_quadrangulation/Vertex_order.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/decimate.h>
+#include <CGAL/Reeb_quadrangulation/face_graph.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/parameters.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
+#include <CGAL/Reeb_quadrangulation/plane_contour.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
