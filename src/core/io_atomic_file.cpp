@@ -73,6 +73,7 @@ Result<void> write_file_atomically(const std::string& path, std::string_view byt
   };
   const auto fail_with = [&fail](int error) { return fail(std::generic_category().message(error)); };
 
+  if (path.empty()) return fail_with(ENOENT);
   struct stat status;
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) return fail("it is a folder");

@@ -104,7 +104,6 @@ public:
 
   Result<Polygon_soup> parse() {
     if (Result<void> done = header(); !done) return done.error();
-    if (Result<void> done = check_header(); !done) return done.error();
     for (const Ply_element& e : m_elements) {
       Result<void> done = check_count(e);
       if (!done) return done.error();
@@ -150,6 +149,7 @@ private:
       if (keyword == "property") done = property();
       if (!done) return done;
     }
+    if (Result<void> done = check_header(); !done) return done;
     end_header_line();
     return {};
   }
@@ -185,8 +185,9 @@ private:
     Ply_element e;
     if (!m_cursor.find_word_on_line()) return header_expected("the name of an element");
     e.name = m_cursor.word();
-    if (!m_cursor.find_word_on_line() || !m_cursor.integer(e.count) || e.count < 0)
+    if (!m_cursor.find_word_on_line() || !m_cursor.integer(e.count))
       return header_expected("the number of elements");
+    if (e.count < 0) return header_error("a number of elements is negative");
     if (m_elements.size() >= 1000) return refuse("more than 1000 elements");
     m_elements.push_back(std::move(e));
     return {};

@@ -289,6 +289,12 @@ private:
                          "Component " + std::to_string(component) + ": " + text + ".", kind, element);
   }
 
+  std::string place(int v) const {
+    const std::string name =
+        m_point_of[v] < 0 ? "the middle of a polygon" : "point " + std::to_string(m_point_of[v]);
+    return name + " at " + text_of(m_points[v]);
+  }
+
   void find_non_manifold_edges() {
     for (int e = 0; e < m_edges.number_of_edges(); ++e) {
       if (m_edges.size(e) <= 2) continue;
@@ -296,8 +302,7 @@ private:
       if (m_options.cut_non_manifold_edges) continue;
       const int s = m_edges.first(e), a = m_mesh.source[s], b = m_mesh.target(s);
       refuse(m_component[s / 3],
-             "the edge from point " + std::to_string(m_point_of[a]) + " at " + text_of(m_points[a]) +
-                 " to point " + std::to_string(m_point_of[b]) + " has " + std::to_string(m_edges.size(e)) +
+             "the edge from " + place(a) + " to " + place(b) + " has " + std::to_string(m_edges.size(e)) +
                  " faces",
              Element_kind::face, m_face_of[s / 3]);
     }
@@ -371,6 +376,11 @@ private:
     Triangle_surface& surface = component.surface;
     Result<void> done;
     if (const Flat_face_counts counts = remove_flat_faces(component); counts.any()) {
+      if (counts.kept == surface.number_of_faces())
+        return make_error(Error_code::not_a_surface,
+                          "The component with face " + std::to_string(component.face_of_triangle[0]) +
+                              " has no area.",
+                          Element_kind::face, component.face_of_triangle[0]);
       m_flat += counts;
       if (done = surface.connect(); !done) return done;
     }
@@ -408,17 +418,12 @@ private:
     for (std::size_t i = 0; i < count; ++i)
       for (int v : m_triangles[face(i)]) {
         if (!m_points[v].allFinite()) {
-          refuse(c,
-                 "point " + std::to_string(m_point_of[v]) + " at " + text_of(m_points[v]) + " is not finite",
-                 Element_kind::vertex, m_point_of[v]);
+          refuse(c, place(v) + " is not finite", Element_kind::vertex, m_point_of[v]);
           return;
         }
         // Products of four coordinates must neither overflow.
         if (m_points[v].cwiseAbs().maxCoeff() > 1e70) {
-          refuse(c,
-                 "point " + std::to_string(m_point_of[v]) + " at " + text_of(m_points[v]) +
-                     " is too far away to compute with",
-                 Element_kind::vertex, m_point_of[v]);
+          refuse(c, place(v) + " is too far away to compute with", Element_kind::vertex, m_point_of[v]);
           return;
         }
       }
