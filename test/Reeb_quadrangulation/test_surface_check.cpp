@@ -627,7 +627,35 @@ TEST_CASE("whatever the soup, what comes out of mending is a surface") {
   CHECK(taken_again > 1000);
 }
 
-// ---------------------------------------------------------------------------------------------------- real meshes
+// ------------------------------------------------------------------------------------------------- files
+
+// EXPECTED.tsv: the file; 3 if it must be unreadable, 4 if it is no surface, 0 if it is one; words of the sentence.
+TEST_CASE("every file of the corpus ends as its table says") {
+  std::ifstream table(std::string(REEBQUAD_TEST_DIR) + "/corpus/EXPECTED.tsv");
+  std::string line;
+  REQUIRE(std::getline(table, line));
+  int files = 0;
+  for (; std::getline(table, line); ++files) {
+    std::istringstream in(line);
+    std::string file, code, says, message;
+    std::getline(in, file, '\t');
+    std::getline(in, code, '\t');
+    std::getline(in, says, '\t');
+    const Result<Polygon_soup> read = read_polygon_soup(std::string(REEBQUAD_TEST_DIR) + "/corpus/" + file);
+    std::string got = "3";
+    if (read) {
+      const Result<Mended_surface> result = mend_surface(*read);
+      got = result ? "0" : "4";
+      if (!result) message = result.error().message;
+    } else {
+      message = read.error().message;
+    }
+    INFO(file << ": " << message);
+    CHECK(got == code);
+    CHECK(message.find(says) != std::string::npos);
+  }
+  CHECK(files >= 19);
+}
 
 TEST_CASE("the real meshes have the genus, the boundaries and the components of their table") {
   std::ifstream table(std::string(REEBQUAD_MODELS_DIR) + "/TABLE.tsv");
