@@ -207,6 +207,11 @@ Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_
   Vertex_order order = order_vertices(layout.values, level);
   layout.cleanup_rounds = remove_extrema(closed.surface, minima, maxima, layout.values, order);
   layout.critical = critical_points(closed.surface, order);
+  for (int v : layout.critical.saddles)
+    if (v >= closed.original_vertices || surface.is_boundary(surface.outgoing[v]))
+      return make_error(Error_code::impossible_request,
+                        "a boundary vertex is a saddle: edges that join boundary vertices must be split",
+                        Element_kind::vertex, v);
   for (const auto* wanted : {&minima, &maxima})
     for (int v : *wanted) {
       const std::vector<int>& found = wanted == &minima ? layout.critical.minima : layout.critical.maxima;

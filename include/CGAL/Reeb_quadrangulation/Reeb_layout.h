@@ -38,8 +38,9 @@ Traced_contour trace_cap(const Closed_surface& closed, const Vertex_order& order
                          bool is_maximum);
 
 /// Orders the field, removes extrema that are not wanted, traces every saddle's contours and a cap around every extremum, embeds
-/// them, and cuts the charts. Fails with `impossible_request` if the field has no minimum or no maximum, and with
-/// `internal_error` if a region is not a chart.
+/// them, and cuts the charts. Fails with `impossible_request` if the field has no minimum or no maximum, or if a saddle falls on
+/// a boundary vertex, which is possible only where an interior edge joins two of them (`prepare_surface()` splits such edges);
+/// and with `internal_error` if a region is not a chart.
 Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field);
 
 } // namespace Reeb_quadrangulation
