@@ -335,12 +335,9 @@ Certificate certify(const Certificate_input& input, const Certificate_options& o
 
 const char* name(Check_status status) {
   switch (status) {
-  case Check_status::passed:
-    return "passed";
-  case Check_status::failed:
-    return "failed";
-  case Check_status::not_checked:
-    return "not_checked";
+  case Check_status::passed: return "passed";
+  case Check_status::failed: return "failed";
+  case Check_status::not_checked: return "not_checked";
   }
   return "unknown";
 }

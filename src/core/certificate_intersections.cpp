@@ -117,14 +117,10 @@ bool meet_beyond_shared(const std::vector<Point>& points, Triangle s, Triangle t
   const Corners cs{{points[s[0]], points[s[1]], points[s[2]]}},
       ct{{points[t[0]], points[t[1]], points[t[2]]}};
   switch (shared) {
-  case 0:
-    return meet(cs, ct);
-  case 1:
-    return overlap_at_vertex(cs, ct);
-  case 2:
-    return overlap_at_edge(cs, ct);
-  default:
-    return true;
+  case 0: return meet(cs, ct);
+  case 1: return overlap_at_vertex(cs, ct);
+  case 2: return overlap_at_edge(cs, ct);
+  default: return true;
   }
 }
 

@@ -73,12 +73,9 @@ std::string right(const std::string& s, std::size_t width) {
 
 const char* mark(Check_status status) {
   switch (status) {
-  case Check_status::passed:
-    return "ok";
-  case Check_status::failed:
-    return "FAIL";
-  case Check_status::not_checked:
-    return "-";
+  case Check_status::passed: return "ok";
+  case Check_status::failed: return "FAIL";
+  case Check_status::not_checked: return "-";
   }
   return "";
 }
