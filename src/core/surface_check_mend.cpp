@@ -124,7 +124,8 @@ private:
     std::vector<int> into = equal_border_points(on_border);
     if (manifold) leave_apart_where_harmful(into);
     std::int64_t merged = 0;
-    for (int v = 0; v < number_of_points(); ++v) merged += into[v] != v;
+    m_merged.resize(m_points.size(), 0);
+    for (int v = 0; v < number_of_points(); ++v) merged += m_merged[v] = into[v] != v;
     if (merged == 0) return;
     for (Triangle& t : m_triangles)
       for (int& v : t) v = into[v];
@@ -492,11 +493,11 @@ private:
         "faces without area were kept, since removing them would tear the surface");
     say(m_filled, "hole was filled", "holes were filled");
     say(m_outward, "closed component was turned outward", "closed components were turned outward");
-    std::vector<char> used(m_points.size(), 0);
+    std::vector<char> used = m_merged;
+    used.resize(m_points.size(), 0);
     for (const Triangle& t : m_triangles)
       for (int v : t) used[v] = 1;
-    std::int64_t unused = 0;
-    for (std::size_t v = 0; v < m_points.size(); ++v) unused += !used[v];
+    const std::int64_t unused = std::count(used.begin(), used.end(), 0);
     say(unused, "point without faces was dropped", "points without faces were dropped");
   }
 
@@ -511,6 +512,7 @@ private:
 
   const Mend_options m_options;
   std::vector<Point> m_points;
+  std::vector<char> m_merged;  ///< per point, or empty: it was merged into another
   std::vector<int> m_point_of; ///< per point: in the soup, or -1
   std::vector<Triangle> m_triangles;
   std::vector<int> m_face_of; ///< per triangle: its polygon of the soup

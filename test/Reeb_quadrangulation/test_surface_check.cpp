@@ -297,6 +297,7 @@ TEST_CASE("faces with points of their own are glued") {
   CHECK(m.components[0].surface.number_of_vertices() == 6);
   CHECK(genus(m.components[0].surface) == 0);
   CHECK(count_of(m, "merged") == 18);
+  CHECK(m.mends.size() == 1);
 }
 
 TEST_CASE("surfaces that touch in a point or along an edge stay apart when they were") {
