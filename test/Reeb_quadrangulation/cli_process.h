@@ -28,7 +28,7 @@ constexpr double patience = 1;
 #endif
 
 struct Outcome {
-  int code = -1; ///< of the exit; 1000 + the signal that ended it
+  int code = -1; ///< as a shell gives it: 128 + the signal that ended it, if one did
   std::string out, err;
   double seconds = 0;
   double seconds_after_signal = 0;
@@ -114,7 +114,7 @@ inline Outcome reebquad(const std::vector<std::string>& arguments, const Limits&
   }
   outcome.seconds = elapsed();
   if (signalled >= 0) outcome.seconds_after_signal = outcome.seconds - signalled;
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.out = contents(out);
   outcome.err = contents(err);
   return outcome;
