@@ -48,8 +48,8 @@ Extremal_disc grow_disc(const Closed_surface& closed, const Vertex_order& order,
 }
 
 struct Level_line {
-  int inside = 0; // number of disc vertices on the extremum's side
-  double value = 0, length = 0, moment = 0;
+  int inside = 0;                                     // number of disc vertices on the extremum's side
+  double value = 0, length = 0, moment = 0, area = 0; // area between the line and the extremum
   double radius() const { return length > 0 ? moment / length : 0; }
 };
 
@@ -98,20 +98,47 @@ std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vec
       line->moment += length * (0.5 * (a + b) - centre).norm();
     }
   }
+  // A face counts for the first line that has its last vertex inside; the lines' areas are sums of these.
+  std::unordered_map<int, int> place; // looked up only
+  for (int i = 0; i < m; ++i) place[disc[i]] = i;
+  for (int f : faces) {
+    int last = 0;
+    for (int v : s.triangles[f]) {
+      const auto found = place.find(v);
+      last = std::max(last, found == place.end() ? m : found->second);
+    }
+    const auto line =
+        std::upper_bound(lines.begin(), lines.end(), last,
+                         [](int place_of_last, const Level_line& l) { return place_of_last < l.inside; });
+    const Triangle& t = s.triangles[f];
+    if (line != lines.end())
+      line->area += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
+  }
+  for (std::size_t i = 1; i < lines.size(); ++i) lines[i].area += lines[i - 1].area;
   return lines;
 }
 
+// How much larger the quads of a cap are than those around it: a square grid on a loop of length L has (L / 4)^2 of them in
+// units of their edges there. A flat disc has 1.27, a cube's top with half of its sides 3.
+double cap_stretch(const Level_line& line) {
+  return 16 * line.area / (line.length * line.length);
+}
+
 int choose_cap_size(const std::vector<Level_line>& lines, bool ends_at_extremum) {
-  if (lines.empty()) return 1;
-  double end = 0;
-  for (const Level_line& line : lines) end = std::max(end, line.radius());
+  double end = 0, longest = 0;
+  for (const Level_line& line : lines) {
+    end = std::max(end, line.radius());
+    longest = std::max(longest, line.length);
+  }
   // Two extrema that share a disc get a third each, so that their caps cannot meet.
   const double farthest = (ends_at_extremum ? 0.35 : 0.6) * end;
-  int inside = lines.front().inside;
+  const Level_line* best = nullptr;
   for (const Level_line& line : lines)
-    if (line.length > 0 && line.radius() <= 0.28 * line.length && line.radius() <= farthest)
-      inside = line.inside;
-  return inside;
+    if (line.length > 0 && cap_stretch(line) <= 2 && line.radius() <= farthest) best = &line;
+  // A thin tip is stretched wherever it is cut: where it is a quarter as thick as at its root.
+  for (std::size_t i = 0; !best && i < lines.size(); ++i)
+    if (lines[i].length >= 0.25 * longest && lines[i].radius() <= farthest) best = &lines[i];
+  return best ? best->inside : lines.empty() ? 1 : lines.front().inside;
 }
 
 struct Cap_site {

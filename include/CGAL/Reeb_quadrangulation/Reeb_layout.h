@@ -31,8 +31,9 @@ struct Reeb_layout {
 /// A cap: the contour between two ranks that separates an extremum from the rest of its disc.
 ///
 /// In the disc between an extremum and the first critical point that its level sets meet, of 48 level lines the outermost is
-/// taken whose mean distance R from the extremum is at most 0.28 of its length (a flat disc has 0.16, a square cap with sides up
-/// 0.28), and at most 0.6 of the distance to the disc's end, so that the annulus that is left is not thin.
+/// taken whose inside has at most twice the area of the flat square with its length around (a flat disc has 1.27 times), and whose
+/// mean distance from the extremum is at most 0.6 of the distance to the disc's end, so that the annulus that is left is not
+/// thin. A tip that is too thin for that is cut where its length around is a quarter of the longest.
 Traced_contour trace_cap(const Closed_surface& closed, const Vertex_order& order,
                          const std::vector<double>& values, const Critical_points& critical, int extremum,
                          bool is_maximum);
