@@ -21,7 +21,9 @@ public:
     if (m_work.empty()) return {};
     // A flip may make another flat face, and then another; the budget ends what does not come to an end.
     const std::size_t budget = 10 * m_work.size() + 100;
-    for (std::size_t i = 0; i < m_work.size() && i < budget; ++i)
+    // Stars are walked round again and again; at a vertex with very many faces that would not end either.
+    const std::size_t steps = 10 * std::size_t(m_surface.number_of_halfedges()) + 1000;
+    for (std::size_t i = 0; i < m_work.size() && i < budget && m_steps < steps; ++i)
       if (is_flat(m_work[i])) treat(m_work[i]);
     compact();
     return m_counts;
@@ -58,10 +60,18 @@ private:
     int g = h;
     for (; g >= 0; g = m_surface.rotate_ccw(g)) {
       all.push_back(g);
+      ++m_steps;
       if (m_surface.rotate_ccw(g) == h) return all;
     }
     for (g = m_surface.rotate_cw(h); g >= 0; g = m_surface.rotate_cw(g)) all.push_back(g);
     return all;
+  }
+
+  /// Whether the source of `h` is an inner vertex with three faces.
+  bool has_three_faces(int h) const {
+    int g = h;
+    for (int turn = 0; turn < 3 && g >= 0; ++turn) g = m_surface.rotate_ccw(g);
+    return g == h;
   }
 
   bool at_boundary(const std::vector<int>& star) const {
@@ -91,8 +101,7 @@ private:
       if (g < 0) continue;
       const int n = Triangle_surface::next(g), p = Triangle_surface::previous(g);
       if (m_surface.is_boundary(n) && m_surface.is_boundary(p)) return false;
-      const std::vector<int> star = outgoing(p);
-      if (star.size() <= 3 && !at_boundary(star)) return false;
+      if (has_three_faces(p)) return false;
     }
     return true;
   }
@@ -183,6 +192,7 @@ private:
   Triangle_surface& m_surface;
   std::vector<int> m_work;
   Flat_face_counts m_counts;
+  mutable std::size_t m_steps = 0;
 };
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -554,6 +555,30 @@ TEST_CASE("a polygon with very many corners takes no time and has its area") {
   }
   add(s, all);
   CHECK(area(mended(s).components[0].surface) == Approx(std::acos(-1.0)).epsilon(1e-6));
+}
+
+TEST_CASE("a hub with very many faces without area takes no time") {
+  // A double cone whose rim points coincide in pairs, and one whose rim points all lie on a line with a hub.
+  const int n = 200'000;
+  for (const bool on_a_line : {false, true}) {
+    Polygon_soup s;
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * std::acos(-1.0) * (i / 2) / (n / 2);
+      s.points.push_back(on_a_line && i > 5 ? Point(i, 0, 0) : Point(std::cos(a), std::sin(a), 0));
+    }
+    s.points.emplace_back(0, 0, on_a_line ? 0 : 1);
+    s.points.emplace_back(0, 0, -1);
+    for (int i = 0; i < n; ++i) {
+      add(s, {i, (i + 1) % n, n});
+      add(s, {(i + 1) % n, i, n + 1});
+    }
+    const std::clock_t start = std::clock();
+    const Result<Mended_surface> m = mend_surface(s);
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 20); // measured: 1 to 4
+    REQUIRE(m);
+    CHECK(count_of(*m, "without area") + count_of(*m, "without length") > 0);
+    CHECK(genus(m->components[0].surface) == 0);
+  }
 }
 
 TEST_CASE("holes up to the given size are filled") {
