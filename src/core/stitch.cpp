@@ -17,9 +17,9 @@ bool strictly_increasing(const std::vector<double>& x) {
   return true;
 }
 
-// Whether the rows' levels go from 0 to 1.
+// Whether the rows' levels go from 0 to 1. A single row could join two nodes by two edges, where two charts meet in both.
 bool are_levels(const std::vector<double>& u) {
-  return u.size() >= 2 && u.front() == 0 && u.back() == 1 && strictly_increasing(u);
+  return u.size() >= 3 && u.front() == 0 && u.back() == 1 && strictly_increasing(u);
 }
 
 void normalise(std::vector<double>& x) {
@@ -125,7 +125,8 @@ Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& 
   const std::vector<double> levels =
       maker.levels ? maker.levels(map.profile(), rows) : equal_rows(map.profile(), rows);
   if (maker.levels && !are_levels(levels))
-    return make_error(Error_code::impossible_request, "the rows' levels do not increase from 0 to 1");
+    return make_error(Error_code::impossible_request,
+                      "the levels of a chart's rows do not increase from 0 to 1 in two steps or more");
   placed.texture = maker.annulus ? maker.annulus(columns, levels) : regular_annulus_texture(columns, levels);
   if (maker.annulus)
     if (Result<void> checked = check_texture(placed.texture, {columns, columns}, false); !checked)

@@ -19,7 +19,7 @@ class QuadTextureTraits {
 public:
   /// A functor with `std::vector<double> operator()(const Height_profile& profile, int rows) const`: the U of the level lines
   /// that part the rows of an annulus, strictly increasing from 0 to 1. `rows` is the number that makes quads square; any other
-  /// can be stitched too.
+  /// number but one can be stitched too (one row could join two vertices by two edges).
   typedef unspecified_type Compute_row_levels;
 
   /// A functor with `Quad_texture operator()(int columns, const std::vector<double>& levels) const`: a texture of an annulus

@@ -70,9 +70,10 @@ public:
     static double half_angle_tangent(const Triangle_surface& mesh, int h, int previous) {
       const Point& p = mesh.points[mesh.source(h)];
       const Point a = mesh.points[mesh.target(h)] - p, b = mesh.points[mesh.source(previous)] - p;
-      const double sine = a.cross(b).norm(), cosine = a.dot(b), lengths = a.norm() * b.norm();
+      if (!(a.norm() > 0) || !(b.norm() > 0)) return 1; // no angle: as of a right one
+      const Point c = a / a.norm(), d = b / b.norm();
       // tan(x / 2) = sin x / (1 + cos x); the floor keeps the weight positive in a triangle without area.
-      const double tangent = lengths > 0 ? sine / (lengths + cosine) : 1.0;
+      const double tangent = c.cross(d).norm() / (1 + c.dot(d));
       return tangent < 1e3 ? std::max(1e-6, tangent) : 1e3; // a quotient 0 / 0 counts as a flat angle
     }
 
