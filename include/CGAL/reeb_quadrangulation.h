@@ -43,6 +43,7 @@
 #include <CGAL/Reeb_quadrangulation/render.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
+#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>

@@ -105,6 +105,8 @@ void declare(Command_line& line) {
       ("threads", value<int>("N")->default_value(0), "how many threads; 0: as many as the machine has") //
       ("no-collapse", "keep charts that are thinner than half a quad")                                  //
       ("no-relax", "do not relax the quads on the surface")                                             //
+      ("feature-angle", value<double>("DEGREES")->default_value(45),
+       "quads keep edges whose faces' normals differ by more; 0: none") //
       ("field", value<std::string>("WEIGHTS")->default_value("cotangent"),
        "weights of the field: cotangent or clamped")                                         //
       ("validate", "demand strict validity: also no inverted quad and no self-intersection") //
@@ -140,6 +142,8 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   pipeline.threads = in_range(line, "threads", 0, 1024);
   pipeline.collapse_thin = !line.has("no-collapse");
   pipeline.relax = !line.has("no-relax");
+  pipeline.features.feature_angle = in_range(line, "feature-angle", 0.0, 180.0);
+  pipeline.keep_features = pipeline.features.feature_angle > 0;
   pipeline.weights = choice<Weight_kind>(
       "--field", line.text("field"),
       {{"cotangent", Weight_kind::cotangent}, {"clamped", Weight_kind::clamped_cotangent}});

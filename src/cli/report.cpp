@@ -100,6 +100,12 @@ Json relaxation_json(const Relax_report& relaxation) {
           {"inverted_after", relaxation.inverted_after}};
 }
 
+Json features_json(const Snap_report& features) {
+  return {{"corners", features.corners},
+          {"missed_corners", features.missed_corners},
+          {"vertices", features.vertices}};
+}
+
 Json component_json(const Component_run& component) {
   Json out{{"vertices", component.surface.number_of_vertices()},
            {"triangles", component.surface.number_of_faces()},
@@ -118,6 +124,7 @@ Json component_json(const Component_run& component) {
   out["layout"] = layout_json(result);
   out["sampling"] = sampling_json(result.sampling);
   out["relaxation"] = relaxation_json(result.relaxation);
+  out["features"] = features_json(result.features);
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : result.valences)
     out["predicted_valences"][std::to_string(valence)] = number;

@@ -364,6 +364,18 @@ private:
     Result<Relax_report> report =
         relax_quads(m_result.mesh, m_input, projector, {}, options, m_clock.observer());
     if (!report) return report.error();
+    if (m_options.keep_features && m_options.features.feature_angle > 0) {
+      std::vector<char> fixed;
+      m_result.features = snap_to_features(m_result.mesh, m_input, m_options.features, fixed);
+      if (m_result.features.corners + m_result.features.vertices > 0) {
+        const Relax_report before = *report;
+        report = relax_quads(m_result.mesh, m_input, projector, fixed, options, m_clock.observer());
+        if (!report) return report.error();
+        report->worst_before = before.worst_before;
+        report->mean_before = before.mean_before;
+        report->inverted_before = before.inverted_before;
+      }
+    }
     m_result.relaxation = *report;
     return {};
   }

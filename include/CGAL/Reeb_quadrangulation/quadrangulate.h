@@ -8,6 +8,7 @@
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
+#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
@@ -45,6 +46,8 @@ struct Quadrangulation_options {
   double sample_blend = 0.5; ///< samples by arc length (0) to samples by flux (1)
   bool relax = true;         ///< relax the quads on the surface
   Relax_options relaxation;
+  bool keep_features = true; ///< move vertices onto sharp edges and corners; needs `relax`
+  Snap_options features;
   int threads = 0; ///< charts solved at once; 0 = as many as the machine has. Results do not depend on it
 };
 
@@ -67,6 +70,7 @@ struct Quadrangulation {
   Designed_field field; ///< as solved, before the cleanup
   Sampling sampling;
   Relax_report relaxation;
+  Snap_report features;
   Prepare_report preparation;
   int collapsed_charts = 0;         ///< thin charts that were removed by aligning their saddles
   std::vector<double> chart_height; ///< mean, per chart; 0 for discs
