@@ -226,8 +226,8 @@ private:
     std::vector<signed char> walk_of(mesh.number_of_vertices(), -1);
     for (std::size_t w = 0; w < m_chart.walks.size(); ++w)
       for (int v : m_chart.walks[w].vertices) walk_of[v] = static_cast<signed char>(w);
-    const int n = mesh.number_of_halfedges();
-    for (int h = 0; h < n; ++h) {
+    // Also over the new halfedges: two splits may have moved both sides of an edge to the end.
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       if (mesh.opposite[h] < h) continue; // the border, or seen from the other side
       const int a = mesh.source(h), b = mesh.target(h);
       if (walk_of[a] < 0 || walk_of[a] != walk_of[b]) continue;

@@ -154,6 +154,19 @@ double area(double ax, double ay, double bx, double by, double cx, double cy) {
   return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
 
+// Moves the location to triangle f if (x, y) lies deeper in it, or less far outside, than `margin`.
+void try_triangle(const Plane_triangle& t, int f, double x, double y, double& margin,
+                  Chart_location& location) {
+  const double a = area(x, y, t.v[1], t.u[1], t.v[2], t.u[2]), b = area(t.v[0], t.u[0], x, y, t.v[2], t.u[2]),
+               c = area(t.v[0], t.u[0], t.v[1], t.u[1], x, y), sum = a + b + c;
+  if (!(sum > 0)) return;
+  const double least = std::min({a, b, c}) / sum;
+  if (least <= margin) return;
+  margin = least;
+  const double wa = std::max(a, 0.0), wb = std::max(b, 0.0), wc = std::max(c, 0.0), w = wa + wb + wc;
+  location = {f, {{wa / w, wb / w, wc / w}}};
+}
+
 // Buckets of query points on a uniform grid over the parameter domain; V wraps around on an annulus.
 class Point_grid {
 public:
@@ -220,20 +233,15 @@ std::vector<Chart_location> locate(const Chart& chart, const Chart_parameterizat
     const auto [v0, v1] = std::minmax({t.v[0], t.v[1], t.v[2]});
     const auto [u0, u1] = std::minmax({t.u[0], t.u[1], t.u[2]});
     grid.query(v0 - slack * width, v1 + slack * width, u0 - slack * height, u1 + slack * height,
-               [&](int i, int turn) {
-                 const double x = v[i] + turn, y = u[i];
-                 const double a = area(x, y, t.v[1], t.u[1], t.v[2], t.u[2]),
-                              b = area(t.v[0], t.u[0], x, y, t.v[2], t.u[2]),
-                              c = area(t.v[0], t.u[0], t.v[1], t.u[1], x, y), sum = a + b + c;
-                 if (!(sum > 0)) return;
-                 const double least = std::min({a, b, c}) / sum;
-                 if (least <= margin[i]) return;
-                 margin[i] = least;
-                 const double wa = std::max(a, 0.0), wb = std::max(b, 0.0), wc = std::max(c, 0.0),
-                              w = wa + wb + wc;
-                 found[i] = {f, {{wa / w, wb / w, wc / w}}};
-               });
+               [&](int i, int turn) { try_triangle(t, f, v[i] + turn, u[i], margin[i], found[i]); });
   }
+  // Outside of all boxes: where a disc's border cuts off a corner of the rectangle. All triangles are tried.
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (int f = 0; margin[i] < -slack && f < chart.mesh.number_of_faces(); ++f) {
+      const Plane_triangle t = plane_triangle(chart, map, f);
+      const double turn = periodic ? std::round((t.v[0] + t.v[1] + t.v[2]) / 3 - v[i]) : 0;
+      try_triangle(t, f, v[i] + turn, u[i], margin[i], found[i]);
+    }
   for (Chart_location& location : found)
     if (location.face < 0) location = {0, {{1, 0, 0}}}; // every triangle is degenerate in the plane
   return found;

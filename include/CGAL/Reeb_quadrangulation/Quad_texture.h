@@ -52,7 +52,8 @@ struct Chart_location {
 };
 
 /// Finds the places with the given parameters, all at once: O(F + n) for evenly spread points by bucketing them. Every point of the
-/// domain is found; one that rounding left between triangles takes the nearest of them.
+/// domain is found; one that rounding left between triangles, or outside where a disc's border cuts off a corner of the rectangle,
+/// is put on the border of the triangle that it misses least.
 std::vector<Chart_location> locate(const Chart& chart, const Chart_parameterization& map,
                                    const std::vector<double>& v, const std::vector<double>& u);
 
