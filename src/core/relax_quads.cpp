@@ -130,6 +130,18 @@ Quality measure(const Quad_mesh& mesh) {
   return result;
 }
 
+// Vertices that are not fixed and have left the surface.
+void measure_offsets(const State& state, Relax_report& report) {
+  for (int v = 0; v < state.number_of_vertices(); ++v) {
+    if (state.sites[v].freedom == relaxation::Freedom::fixed || state.sites[v].face < 0) continue;
+    const Point& p = state.mesh.points[v];
+    const double offset = std::sqrt(state.projector.closest_nearby(p, state.sites[v].face).squared_distance);
+    if (offset <= 1e-9 * p.norm()) continue;
+    ++report.off_surface_vertices;
+    report.largest_offset = std::max(report.largest_offset, offset);
+  }
+}
+
 } // namespace
 
 Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
@@ -147,6 +159,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
 
   State state(mesh, input, projector, fixed, options.threads);
   report.boundary_vertices = relaxation::bind_boundary(state);
+  const State::Snapshot placed = state.snapshot();
   for (int i = 0; i < options.iterations; ++i) {
     if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
     if (observer) observer->progress("relax", double(i) / options.iterations);
@@ -156,7 +169,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   }
   if (options.untangle) {
     relaxation::untangle(state, 0.2, 20, nullptr, observer);
-    relaxation::repair(state, observer);
+    report.intersections_after = relaxation::repair(state, placed, observer);
   }
   if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
 
@@ -164,6 +177,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   if (after.inverted > before.inverted) {
     mesh.points = original;
     after = before;
+    report.intersections_after = int(relaxation::intersecting_quads(mesh).size());
   }
   report.worst_before = before.worst;
   report.mean_before = before.mean;
@@ -171,6 +185,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   report.worst_after = after.worst;
   report.mean_after = after.mean;
   report.inverted_after = after.inverted;
+  measure_offsets(state, report);
   for (std::size_t v = 0; v < original.size(); ++v) report.moved_vertices += original[v] != mesh.points[v];
   return report;
 }

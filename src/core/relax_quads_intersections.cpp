@@ -77,6 +77,13 @@ bool meet(const std::vector<Point>& points, Triangle s, Triangle t) {
 
 } // namespace
 
+bool quads_meet(const Quad_mesh& mesh, int i, int j) {
+  for (const Triangle& s : halves(mesh, i))
+    for (const Triangle& t : halves(mesh, j))
+      if (meet(mesh.points, s, t)) return true;
+  return false;
+}
+
 std::vector<std::pair<int, int>> intersecting_quads(const Quad_mesh& mesh) {
   std::vector<Box> boxes;
   boxes.reserve(mesh.quads.size());
@@ -91,12 +98,7 @@ std::vector<std::pair<int, int>> intersecting_quads(const Quad_mesh& mesh) {
   std::vector<std::pair<int, int>> found;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     const std::pair<int, int> pair = std::minmax(a.info(), b.info());
-    for (const Triangle& s : halves(mesh, pair.first))
-      for (const Triangle& t : halves(mesh, pair.second))
-        if (meet(mesh.points, s, t)) {
-          found.push_back(pair);
-          return;
-        }
+    if (quads_meet(mesh, pair.first, pair.second)) found.push_back(pair);
   });
   std::sort(found.begin(), found.end());
   return found;

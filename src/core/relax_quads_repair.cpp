@@ -2,6 +2,7 @@
 #include "relax_quads_state.h"
 
 #include <algorithm>
+#include <array>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -77,45 +78,85 @@ struct Regions {
   }
 };
 
+// One way to mend the regions: sweeps under a regime and untangling, or, without sweeps, moving single vertices apart.
 struct Attempt {
   Regime regime;
-  int sweeps, rings;
-  bool lenient;
+  int sweeps = 0;
+  int rings = 3; // of quads around the defects that may move
+  bool from_original =
+      false;         // from where the vertices were before relaxation; otherwise lenient from where they are
+  double offset = 0; // how far single vertices may leave the surface
 };
+
+Attempt move_apart(double offset) {
+  return {{}, 0, 3, false, offset};
+}
+
+// From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices from the
+// fine ones; memory of the original lengths keeps quads on thin limbs from sliding off.
+std::array<Attempt, 12> attempts() {
+  return {move_apart(0),
+          Attempt{{0.15, 1, 0.7}, 4, 4, true},
+          Attempt{{0.15, 1, 0.5}, 12, 3},
+          Attempt{{0.4, 1, 0}, 20, 4},
+          move_apart(0),
+          Attempt{{0.4, 1, 0.5}, 20, 6},
+          Attempt{{0.4, 1, 0}, 40, 8},
+          Attempt{{0.8, 0, 0}, 40, 8},
+          move_apart(0.3),
+          Attempt{{0.4, 1, 0.5}, 60, 16},
+          Attempt{{0.8, 0, 0}, 80, 24},
+          move_apart(0.3)};
+}
+
+void carry_out(State& state, const Attempt& attempt, const std::vector<char>& mask,
+               const State::Snapshot& original, Observer* observer) {
+  if (attempt.sweeps == 0) {
+    separate(state, attempt.offset, 8, observer);
+    return;
+  }
+  if (attempt.from_original)
+    for (int v = 0; v < state.number_of_vertices(); ++v)
+      if (mask[v] && state.sites[v].freedom == Freedom::surface) state.restore(original, v);
+  for (int i = 0; i < attempt.sweeps; ++i) {
+    if (observer && observer->cancelled()) return;
+    const bool early = 2 * i < attempt.sweeps;
+    smooth(state, attempt.regime, {early ? 0.2 : 0.4, early && !attempt.from_original, &mask});
+  }
+  untangle(state, 0.1, 10, &mask, observer);
+}
+
+// Takes the regions back that have not fewer defects than before. Returns whether there was one.
+bool take_back(State& state, const Regions& regions, const State::Snapshot& snapshot,
+               const std::vector<int>& before, const std::vector<int>& now) {
+  const std::vector<int> sum_before = regions.sum(state, before), sum_now = regions.sum(state, now);
+  bool any = false;
+  for (int v = 0; v < state.number_of_vertices(); ++v) {
+    const int region = regions.of_vertex[v];
+    if (region < 0 || sum_now[region] < sum_before[region]) continue;
+    state.restore(snapshot, v);
+    any = true;
+  }
+  return any;
+}
 
 } // namespace
 
-void repair(State& state, Observer* observer) {
-  // From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices from the
-  // fine ones; memory keeps quads on thin limbs from sliding off.
-  static const Attempt attempts[] = {
-      {{0.15, 1, 0.5}, 12, 3, true}, {{0.4, 1, 0}, 20, 4, true},  {{0.4, 1, 0.5}, 20, 6, true},
-      {{0.4, 1, 0}, 40, 8, true},    {{0.8, 0, 0}, 40, 8, true},  {{0.4, 1, 0.5}, 60, 16, true},
-      {{0.4, 0, 0}, 60, 16, true},   {{0.8, 0, 0}, 80, 24, true}, {{0.9, 0, 0}, 40, 4, false},
-  };
+int repair(State& state, const State::Snapshot& original, Observer* observer) {
   std::vector<int> defects = count_defects(state);
-  for (const Attempt& attempt : attempts) {
-    if (std::count(defects.begin(), defects.end(), 0) == std::ptrdiff_t(defects.size())) return;
+  int made = 0;
+  for (const Attempt& attempt : attempts()) {
+    const std::ptrdiff_t good = std::count(defects.begin(), defects.end(), 0);
+    if (good == std::ptrdiff_t(defects.size()) || (observer && observer->cancelled())) break;
+    // A mesh that is bad all over needs another layout; the drastic attempts would only take time.
+    if (++made > 4 && double(good) < 0.95 * double(defects.size())) break;
     const Regions regions(state, defects, attempt.rings);
-    const std::vector<char> mask = regions.mask();
     const State::Snapshot snapshot = state.snapshot();
-    for (int i = 0; i < attempt.sweeps; ++i) {
-      if (observer && observer->cancelled()) return;
-      const bool early = 2 * i < attempt.sweeps;
-      smooth(state, attempt.regime, {early ? 0.2 : 0.4, early && attempt.lenient, &mask});
-    }
-    untangle(state, 0.1, 10, &mask, observer);
+    carry_out(state, attempt, regions.mask(), original, observer);
     const std::vector<int> now = count_defects(state);
-    const std::vector<int> sum_before = regions.sum(state, defects), sum_now = regions.sum(state, now);
-    bool restored = false;
-    for (int v = 0; v < state.number_of_vertices(); ++v) {
-      const int region = regions.of_vertex[v];
-      if (region < 0 || sum_now[region] < sum_before[region]) continue;
-      state.restore(snapshot, v);
-      restored = true;
-    }
-    defects = restored ? count_defects(state) : now;
+    defects = take_back(state, regions, snapshot, defects, now) ? count_defects(state) : now;
   }
+  return int(intersecting_quads(state.mesh).size());
 }
 
 } // namespace relaxation

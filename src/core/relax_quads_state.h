@@ -125,8 +125,14 @@ void untangle(State& state, double wanted, int rounds, const std::vector<char>* 
 /// Pairs i < j of quads that meet in more than their common vertices, ascending; quads are cut along their shorter
 /// diagonals. Decided by exact predicates.
 std::vector<std::pair<int, int>> intersecting_quads(const Quad_mesh& mesh);
-/// Relaxes the neighbourhoods of inverted and intersecting quads anew, under other regimes, and keeps what helps.
-void repair(State& state, Observer* observer);
+/// Whether two quads meet in more than their common vertices.
+bool quads_meet(const Quad_mesh& mesh, int i, int j);
+/// Moves single vertices of intersecting quads so that fewer quads intersect. `offset` is how far a vertex may leave
+/// the surface along its normal, in units of the quads' size around it; 0 keeps vertices on the surface.
+void separate(State& state, double offset, int rounds, Observer* observer);
+/// Relaxes the surroundings of inverted and intersecting quads anew, in other ways, and keeps what helps. `original` is
+/// where the vertices were at first. Returns the number of pairs of quads that intersect in the end.
+int repair(State& state, const State::Snapshot& original, Observer* observer);
 
 /// Runs f(i) for i in [0, n) on up to `threads` threads. f(i) must not depend on another f(j).
 template <class F> void parallel_for(int n, int threads, const F& f) {

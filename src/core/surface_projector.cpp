@@ -225,9 +225,11 @@ struct Surface_projector::Implementation {
     tree.custom_build(box_of_range, [](auto, auto, const CGAL::Bbox_3&) {}); // the Morton order is the split
   }
 
-  Closest_point search(const Point& query, const Point* normal, double min_cosine, int hint_face) {
+  Closest_point search(const Point& query, const Point* normal, double min_cosine, int hint_face,
+                       double maximum_distance = std::numeric_limits<double>::infinity()) {
     std::call_once(built, [this] { build(); });
     Search search{surface, order, query, normal, min_cosine};
+    search.best.squared_distance = maximum_distance * maximum_distance;
     if (hint_face >= 0) search.walk(hint_face);
     if (std::isfinite(search.best.squared_distance))
       tree.traversal(query, search);
@@ -268,8 +270,9 @@ Closest_point Surface_projector::closest_nearby(const Point& query, int face) co
 }
 
 Closest_point Surface_projector::closest_compatible(const Point& query, const Point& normal,
-                                                    double min_cosine, int hint_face) const {
-  return m_implementation->search(query, &normal, min_cosine, hint_face);
+                                                    double min_cosine, int hint_face,
+                                                    double maximum_distance) const {
+  return m_implementation->search(query, &normal, min_cosine, hint_face, maximum_distance);
 }
 
 Point Surface_projector::normal(int face) const {

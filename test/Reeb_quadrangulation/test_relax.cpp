@@ -2,6 +2,7 @@
 #include "tiny_surfaces.h"
 
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
@@ -135,6 +136,8 @@ TEST_CASE("a compatible query does not cross a thin sheet") {
   CHECK(projector.closest(below).point.z() == 0);
   CHECK((projector.closest_compatible(below, up, 0).point - Point(0.3, 0.4, 0.01)).norm() < 1e-15);
   CHECK(projector.closest_compatible(below, Point(1, 0, 0), 0.5).face == -1);
+  CHECK(projector.closest_compatible(below, up, 0, -1, 0.02).face == -1);
+  CHECK(projector.closest_compatible(below, up, 0, -1, 0.04).face >= 0);
   CHECK(projector.closest_nearby(below, 0).point.z() == Approx(0.01));
 }
 
@@ -203,6 +206,39 @@ TEST_CASE("boundary vertices stay on the boundary, in order") {
     turn += angle;
   }
   CHECK(turn == Approx(2 * std::acos(-1.0)));
+}
+
+TEST_CASE("the two sides of a thin body do not pass through each other") {
+  Triangle_surface input = tiny::torus(160, 80);
+  Triangle_surface coarse = tiny::torus(24, 12);
+  for (Point& p : input.points) p.z() *= 0.05;
+  for (Point& p : coarse.points) p.z() *= 0.05;
+  const Surface_projector projector(input);
+  Quad_mesh mesh = quads_of(coarse);
+  shake(mesh, projector, 0.1);
+  const double meetings_before = certify({mesh}).check("no_self_intersections").measured;
+  const auto report = relax_quads(mesh, input, projector);
+  REQUIRE(report);
+  CHECK(meetings_before > 10);
+  CHECK(report->inverted_after == 0);
+  CHECK(report->intersections_after == 0);
+  CHECK(certify({mesh}).check("no_self_intersections").status == Check_status::passed);
+  CHECK(certify({mesh}).check("no_inverted_quads").status == Check_status::passed);
+}
+
+TEST_CASE(
+    "the report counts the intersections that the certificate finds, and the vertices off the surface") {
+  // Two crossing quads that are held where they are.
+  const Triangle_surface input = thin_sheet(0.5);
+  const Surface_projector projector(input);
+  Quad_mesh mesh{{Point(0, 0, 0.2), Point(1, 0, 0.2), Point(1, 1, 0.2), Point(0, 1, 0.2), Point(0.5, 0.2, 0),
+                  Point(0.5, 0.8, 0), Point(0.5, 0.8, 1), Point(0.5, 0.2, 1)},
+                 {{0, 1, 2, 3}, {4, 5, 6, 7}}};
+  const auto report = relax_quads(mesh, input, projector, std::vector<char>(8, 1));
+  REQUIRE(report);
+  CHECK(report->intersections_after == 1);
+  CHECK(report->off_surface_vertices == 0); // fixed vertices are not counted
+  CHECK(report->moved_vertices == 0);
 }
 
 TEST_CASE("fixed vertices do not move by a bit") {

@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 
+#include <limits>
 #include <memory>
 
 namespace CGAL {
@@ -49,11 +50,12 @@ public:
   /// the right query for a point that slides by small steps. \pre the surface is connected by `connect()`.
   Closest_point closest_nearby(const Point& query, int face) const;
 
-  /// The closest point among the faces whose normal makes a cosine of at least `min_cosine` with `normal`, a unit
-  /// vector. With 0 a vertex on one side of a thin sheet cannot snap to the other side. Faces without area
-  /// are skipped. If no face is eligible, `face` is -1.
+  /// The closest point among the faces whose normal makes a cosine of at least `min_cosine` with `normal`, a
+  /// unit vector. With 0 a vertex on one side of a thin sheet cannot snap to the other side. Faces without
+  /// area are skipped. If no such face is closer than `maximum_distance`, `face` is -1.
   Closest_point closest_compatible(const Point& query, const Point& normal, double min_cosine,
-                                   int hint_face = -1) const;
+                                   int hint_face = -1,
+                                   double maximum_distance = std::numeric_limits<double>::infinity()) const;
 
   /// Unit normal of a face; zero if the face has no area.
   Point normal(int face) const;
