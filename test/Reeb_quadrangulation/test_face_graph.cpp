@@ -11,6 +11,7 @@
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <limits>
 #include <set>
