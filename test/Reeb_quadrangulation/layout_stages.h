@@ -36,6 +36,19 @@ inline Designed_field harmonic(const Triangle_surface& s, std::vector<int> minim
   return field;
 }
 
+/// Edges inside a chart that join two vertices of one walk: they would be mapped to the walk's line.
+inline int chords(const Chart& chart) {
+  std::vector<int> walk_of(chart.mesh.points.size(), -1);
+  for (std::size_t w = 0; w < chart.walks.size(); ++w)
+    for (int v : chart.walks[w].vertices) walk_of[v] = int(w);
+  int count = 0;
+  for (int h = 0; h < chart.mesh.number_of_halfedges(); ++h) {
+    const int a = walk_of[chart.mesh.source(h)], b = walk_of[chart.mesh.target(h)];
+    count += chart.mesh.opposite[h] > h && a >= 0 && a == b;
+  }
+  return count;
+}
+
 struct Stages {
   Reeb_layout layout;
   std::vector<Chart_parameterization> maps;

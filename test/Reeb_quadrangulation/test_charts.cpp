@@ -326,6 +326,7 @@ TEST_CASE("collapsing a chart between saddles keeps the valences") {
       REQUIRE(bool(stages::parameterize(joined)));
       REQUIRE(bool(stages::fill(joined, 600)));
       CHECK(stages::faults(joined.stitched.mesh, s, joined.stitched.valences) == "");
+      for (const Chart& part : joined.layout.atlas.charts) CHECK(stages::chords(part) == 0);
       CHECK(joined.folds == 0); // long inlets of a joined contour leave U at 1 up to rounding
       std::map<int, int> found = joined.stitched.valences;
       found.erase(4);
