@@ -58,6 +58,22 @@ Point wanted_position(const State& state, const Regime& regime, int v) {
   return ((1 - regime.evenness) * sum + regime.evenness * around) / weights;
 }
 
+// How much of its step a vertex takes: on tips and ridges little, so that quads do not slide off the limbs of a body and
+// cut their ends away. `bend` is the height of v above its neighbours' average, in units of their distance.
+double mobility(const State& state, int v, double& size) {
+  Point sum = Point::Zero();
+  double length = 0;
+  for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
+    const Quad& q = state.mesh.quads[state.corners[k] / 4];
+    const Point d = state.mesh.points[q[(state.corners[k] % 4 + 1) % 4]] - state.mesh.points[v];
+    sum += d;
+    length += d.norm();
+  }
+  size = length / std::max(1, state.first[v + 1] - state.first[v]);
+  const double bend = length > 0 ? std::abs(sum.dot(state.normal(v))) / length : 0;
+  return std::clamp(1.15 - 2.5 * bend, 0.0, 0.9);
+}
+
 bool try_step(State& state, int v, const Point& target, const Sweep& sweep) {
   const Step step = state.constrain(v, target);
   const double before = state.worst_around(v);
@@ -71,13 +87,15 @@ bool try_step(State& state, int v, const Point& target, const Sweep& sweep) {
 } // namespace
 
 int smooth(State& state, const Regime& regime, const Sweep& sweep) {
-  constexpr double damping = 0.9;
   std::vector<char> accepted(state.number_of_vertices(), 0);
   for (const std::vector<int>& colour : state.colours)
     parallel_for(int(colour.size()), state.threads, [&](int i) {
       const int v = colour[i];
       if (state.sites[v].freedom == Freedom::fixed || (sweep.mask && !(*sweep.mask)[v])) return;
-      const Point from = state.mesh.points[v], way = damping * (wanted_position(state, regime, v) - from);
+      double size;
+      const double part = mobility(state, v, size);
+      const Point from = state.mesh.points[v], way = part * (wanted_position(state, regime, v) - from);
+      if (way.squaredNorm() < 1e-5 * size * size) return; // has come to rest
       accepted[v] = try_step(state, v, from + way, sweep) || try_step(state, v, from + 0.4 * way, sweep);
     });
   return int(std::count(accepted.begin(), accepted.end(), 1));

@@ -149,7 +149,8 @@ int repair(State& state, const State::Snapshot& original, Observer* observer) {
     const std::ptrdiff_t good = std::count(defects.begin(), defects.end(), 0);
     if (good == std::ptrdiff_t(defects.size()) || (observer && observer->cancelled())) break;
     // A mesh that is bad all over needs another layout; the drastic attempts would only take time.
-    if (++made > 4 && double(good) < 0.95 * double(defects.size())) break;
+    const double bad = 1 - double(good) / double(defects.size());
+    if (++made > 4 ? bad > 0.05 : made > 1 && bad > 0.15) break;
     const Regions regions(state, defects, attempt.rings);
     const State::Snapshot snapshot = state.snapshot();
     carry_out(state, attempt, regions.mask(), original, observer);

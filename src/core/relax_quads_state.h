@@ -106,9 +106,9 @@ private:
 int bind_boundary(State& state);
 /// What a sweep aims at.
 struct Regime {
-  double evenness = 0.15;  ///< between the corners of rectangles (0) and the average of the neighbours (1)
-  double favour_small = 2; ///< a quad of size d counts d^-favour_small
-  double memory = 0;       ///< between the quads' present lengths (0) and those before relaxation (1)
+  double evenness = 0.1;     ///< between the corners of rectangles (0) and the average of the neighbours (1)
+  double favour_small = 1.5; ///< a quad of size d counts d^-favour_small
+  double memory = 0.5;       ///< between the quads' present lengths (0) and those before relaxation (1)
 };
 
 /// How a sweep takes its steps.

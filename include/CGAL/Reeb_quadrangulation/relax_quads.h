@@ -13,7 +13,7 @@ namespace Reeb_quadrangulation {
 
 /// How `relax_quads()` works; the defaults are for meshes that come from a quad layout.
 struct Relax_options {
-  int iterations = 12;  ///< sweeps over all vertices; 0 leaves the smooth part out
+  int iterations = 20;  ///< sweeps over all vertices; 0 leaves the smooth part out
   bool untangle = true; ///< afterwards mend the surroundings of inverted and of intersecting quads
   int threads = 1;      ///< the result does not depend on it
 };
