@@ -94,10 +94,16 @@ Json sampling_json(const Sampling& sampling) {
 }
 
 Json relaxation_json(const Relax_report& relaxation) {
-  return {{"moved_vertices", relaxation.moved_vertices}, {"worst_before", relaxation.worst_before},
-          {"worst_after", relaxation.worst_after},       {"mean_before", relaxation.mean_before},
-          {"mean_after", relaxation.mean_after},         {"inverted_before", relaxation.inverted_before},
-          {"inverted_after", relaxation.inverted_after}};
+  return {{"moved_vertices", relaxation.moved_vertices},
+          {"worst_before", relaxation.worst_before},
+          {"worst_after", relaxation.worst_after},
+          {"mean_before", relaxation.mean_before},
+          {"mean_after", relaxation.mean_after},
+          {"inverted_before", relaxation.inverted_before},
+          {"inverted_after", relaxation.inverted_after},
+          {"intersections_after", relaxation.intersections_after},
+          {"off_surface_vertices", relaxation.off_surface_vertices},
+          {"largest_offset", relaxation.largest_offset}};
 }
 
 Json features_json(const Snap_report& features) {

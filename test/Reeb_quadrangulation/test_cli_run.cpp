@@ -52,6 +52,15 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// A torus and a sphere of the same radius, whose centre is `shift` away along x.
+std::string torus_and_sphere(double shift) {
+  const Shape torus("torus", 1500), sphere("sphere", 1500);
+  const std::string first = transformed(contents(torus.file), {1, 1, 1}, 0);
+  int points = 0;
+  for (std::size_t at = first.find("v "); at != std::string::npos; at = first.find("v ", at + 1)) ++points;
+  return first + transformed(contents(sphere.file), {1, 1, 1}, shift, points);
+}
+
 std::string status_of(const Json& report, const std::string& check) {
   for (const Json& entry : report["certificate"]["checks"])
     if (entry["name"] == check) return entry["status"];
@@ -159,6 +168,17 @@ TEST_CASE("--field chooses the weights, which differ where triangles are obtuse"
   CHECK((cotangent != contents(torus.quads())));
 }
 
+TEST_CASE("--feature-angle decides which edges are sharp") {
+  const Shape shape("l-shape", 3000);
+  const auto vertices_on_edges = [&](const std::string& angle) {
+    REQUIRE(shape.run({"--quads", "1000", "--feature-angle", angle}).code == 0);
+    return shape.report()["components"][0]["features"]["vertices"].get<int>();
+  };
+  CHECK(vertices_on_edges("0") == 0);
+  CHECK(vertices_on_edges("45") > 20);
+  CHECK(vertices_on_edges("120") == 0);
+}
+
 TEST_CASE("--persistence decides how many protrusions get an extremum") {
   const Shape hand("hand", 4000);
   REQUIRE(hand.run({"--persistence", "0.05"}).code == 0);
@@ -178,15 +198,10 @@ TEST_CASE("an open cylinder keeps its rims, or has them filled") {
 }
 
 TEST_CASE("two components are meshed one by one") {
-  const Shape torus("torus", 1500), sphere("sphere", 1500);
-  const std::string first = transformed(contents(torus.file), {1, 1, 1}, 0);
-  int points = 0;
-  for (std::size_t at = first.find("v "); at != std::string::npos; at = first.find("v ", at + 1)) ++points;
-  const std::string both = first + transformed(contents(sphere.file), {1, 1, 1}, 5, points);
-  const Temporary_folder& folder = torus.folder;
+  const Temporary_folder folder;
+  const std::string both = folder.write("both.obj", torus_and_sphere(5));
   const std::string quads = folder.path("quads.off"), report_file = folder.path("report.json");
-  const Outcome outcome = reebquad(
-      {"run", folder.write("both.obj", both), "-o", quads, "--quads", "1000", "--report", report_file});
+  const Outcome outcome = reebquad({"run", both, "-o", quads, "--quads", "1000", "--report", report_file});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   const Json report = Json::parse(contents(report_file));
@@ -209,17 +224,25 @@ TEST_CASE("a failed run writes nothing under the asked name and keeps what is th
 }
 
 TEST_CASE("quads with a self-intersection are refused with 5 where strict validity is demanded") {
-  const Shape bar("hand", 4000);
-  bar.folder.write("quads.obj", "kept");
-  const Outcome outcome = bar.run({"--quads", "100", "--no-relax", "--validate"});
+  const Temporary_folder folder;
+  const std::string input = folder.write("crossing.obj", torus_and_sphere(1)),
+                    report_file = folder.path("report.json");
+  const std::string quads = folder.write("quads.obj", "kept");
+  const std::vector<std::string> run{"run", input, "-o", quads, "--quads", "500", "--report", report_file};
+  std::vector<std::string> strict = run;
+  strict.push_back("--validate");
+  const Outcome outcome = reebquad(strict);
   INFO(outcome.out << outcome.err);
   CHECK(outcome.code == 5);
   CHECK(contains(outcome.err, "nothing is written"));
-  CHECK(contents(bar.quads()) == "kept");
-  const Json report = bar.report();
+  CHECK(contents(quads) == "kept");
+  const Json report = Json::parse(contents(report_file));
   CHECK(report["status"] == 5);
   CHECK(report["output"].is_null());
+  CHECK(report["certificate"]["passed"] == true);
   CHECK(report["certificate"]["strictly_valid"] == false);
+  CHECK(status_of(report, "no_self_intersections") == "failed");
+  CHECK(reebquad(run).code == 0);
 }
 
 TEST_CASE("triangle formats come with a warning") {
