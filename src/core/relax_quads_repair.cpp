@@ -94,7 +94,7 @@ Attempt move_apart(double offset) {
 
 // From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices from the
 // fine ones; memory of the original lengths keeps quads on thin limbs from sliding off.
-std::array<Attempt, 12> attempts() {
+std::array<Attempt, 14> attempts() {
   return {move_apart(0),
           Attempt{{0.15, 1, 0.7}, 4, 4, true},
           Attempt{{0.15, 1, 0.5}, 12, 3},
@@ -106,7 +106,9 @@ std::array<Attempt, 12> attempts() {
           move_apart(0.3),
           Attempt{{0.4, 1, 0.5}, 60, 16},
           Attempt{{0.8, 0, 0}, 80, 24},
-          move_apart(0.3)};
+          move_apart(0.3),
+          Attempt{{0.15, 1, 0.7}, 6, 8, true},
+          move_apart(0.5)};
 }
 
 void carry_out(State& state, const Attempt& attempt, const std::vector<char>& mask,

@@ -137,6 +137,12 @@ void separate(State& state, double offset, int rounds, Observer* observer) {
     for (int q : quads)
       for (int v : state.mesh.quads[q])
         if (state.sites[v].freedom != Freedom::fixed) vertices.push_back(v);
+    // In later rounds their neighbours may make room.
+    const std::size_t inner = round < 3 ? 0 : vertices.size();
+    for (std::size_t i = 0; i < inner; ++i)
+      for (int k = state.first[vertices[i]]; k < state.first[vertices[i] + 1]; ++k)
+        for (int v : state.mesh.quads[state.corners[k] / 4])
+          if (state.sites[v].freedom != Freedom::fixed) vertices.push_back(v);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     bool fewer = false;
@@ -144,7 +150,7 @@ void separate(State& state, double offset, int rounds, Observer* observer) {
       if (observer && observer->cancelled()) return;
       fewer = Vertex_search(state, v).run(offset) || fewer;
     }
-    if (!fewer && round >= 2) return;
+    if (!fewer && round >= 4) return;
   }
 }
 
