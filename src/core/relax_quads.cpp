@@ -150,11 +150,13 @@ Quality measure(const Quad_mesh& mesh) {
 
 // Vertices that are not fixed and have left the surface.
 void measure_offsets(const State& state, Relax_report& report) {
+  double extent = 0;
+  for (const Point& p : state.mesh.points) extent = std::max(extent, p.cwiseAbs().maxCoeff());
   for (int v = 0; v < state.number_of_vertices(); ++v) {
     if (state.sites[v].freedom == relaxation::Freedom::fixed || state.sites[v].face < 0) continue;
     const Point& p = state.mesh.points[v];
     const double offset = std::sqrt(state.projector.closest_nearby(p, state.sites[v].face).squared_distance);
-    if (offset <= 1e-9 * p.norm()) continue;
+    if (offset <= 1e-9 * extent) continue; // rounding
     ++report.off_surface_vertices;
     report.largest_offset = std::max(report.largest_offset, offset);
   }

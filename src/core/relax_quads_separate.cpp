@@ -28,16 +28,6 @@ Extent extent_of(const Quad_mesh& mesh, int q) {
   return e;
 }
 
-double size_around(const State& state, int v) {
-  double sum = 0;
-  for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
-    const Quad& q = state.mesh.quads[state.corners[k] / 4];
-    const int i = state.corners[k] % 4;
-    sum += (state.mesh.points[q[(i + 1) % 4]] - state.mesh.points[v]).norm();
-  }
-  return sum / std::max(1, state.first[v + 1] - state.first[v]);
-}
-
 // What v costs: the meetings of its quads with other quads first, then their shapes.
 struct Cost {
   int meetings;
@@ -49,7 +39,7 @@ struct Cost {
 
 class Vertex_search {
 public:
-  Vertex_search(State& state, int v) : m_state(state), m_vertex(v), m_size(size_around(state, v)) {
+  Vertex_search(State& state, int v) : m_state(state), m_vertex(v), m_size(state.size_around(v)) {
     Extent reach{state.mesh.points[v], state.mesh.points[v]};
     for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
       const Extent e = extent_of(state.mesh, state.corners[k] / 4);

@@ -192,16 +192,15 @@ void State::place_on_surface() {
   }
 }
 
-Point State::quad_normal(int v) const {
-  Point sum = Point::Zero();
+double State::size_around(int v) const {
+  double sum = 0;
   for (int k = first[v]; k < first[v + 1]; ++k) {
     const Quad& q = mesh.quads[corners[k] / 4];
-    const Point n = (mesh.points[q[2]] - mesh.points[q[0]]).cross(mesh.points[q[3]] - mesh.points[q[1]]);
-    const double length = n.norm();
-    if (length > 0) sum += n / length;
+    const int i = corners[k] % 4;
+    sum += (mesh.points[q[(i + 1) % 4]] - mesh.points[v]).norm();
+    sum += (mesh.points[q[(i + 3) % 4]] - mesh.points[v]).norm();
   }
-  const double length = sum.norm();
-  return length > 0 ? Point(sum / length) : sum;
+  return sum / std::max(1, 2 * (first[v + 1] - first[v]));
 }
 
 double State::quality(int q, int v, const Step& step) const {

@@ -69,8 +69,8 @@ public:
   int number_of_vertices() const { return int(mesh.points.size()); }
   /// Unit normal of the input where the vertex is bound.
   Point normal(int v) const { return m_normals[v]; }
-  /// Sum of the normals of the quads around v, normalised.
-  Point quad_normal(int v) const;
+  /// Mean length of the edges at v.
+  double size_around(int v) const;
   /// Scaled Jacobian of quad q with vertex v moved by `step`; less, down to -0.7, if the quad faces away from the
   /// normals of the input at its vertices.
   double quality(int q, int v, const Step& step) const;

@@ -23,25 +23,12 @@ bool touches(const State& state, int q, const std::vector<char>& mask) {
   return mask[quad[0]] || mask[quad[1]] || mask[quad[2]] || mask[quad[3]];
 }
 
-double size_around(const State& state, int v) {
-  double sum = 0;
-  int count = 0;
-  for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
-    const Quad& q = state.mesh.quads[state.corners[k] / 4];
-    const int i = state.corners[k] % 4;
-    sum += (state.mesh.points[q[(i + 1) % 4]] - state.mesh.points[v]).norm();
-    sum += (state.mesh.points[q[(i + 3) % 4]] - state.mesh.points[v]).norm();
-    count += 2;
-  }
-  return count ? sum / count : 0;
-}
-
 // Pattern search on the surface: eight directions in the tangent plane, steps from half the size of the quads
 // down.
 bool improve(State& state, int v) {
   const Site& site = state.sites[v];
   if (site.freedom == Freedom::fixed) return false;
-  const double size = size_around(state, v);
+  const double size = state.size_around(v);
   double best = penalty(state, v, state.here(v));
   const double start = best;
   int moves = 0;

@@ -23,13 +23,11 @@ struct Relax_report {
   double worst_before = 0, worst_after = 0; ///< least scaled Jacobian
   double mean_before = 0, mean_after = 0;
   int inverted_before = 0, inverted_after = 0; ///< quads with a scaled Jacobian of 0 or less
-  int intersections_after =
-      0;                     ///< pairs of quads that meet in more than what they share; counted by `untangle`
-  int boundary_vertices = 0; ///< vertices that slide on a boundary loop of the input, or are held there
-  int moved_vertices = 0;    ///< vertices whose position changed
-  int off_surface_vertices =
-      0; ///< not fixed, and yet more than rounding away from the input, to part intersecting quads
-  double largest_offset = 0; ///< distance of the farthest of these
+  int intersections_after = 0;  ///< pairs of quads that meet beyond what they share; counted by `untangle`
+  int boundary_vertices = 0;    ///< vertices that slide on a boundary loop of the input, or are held there
+  int moved_vertices = 0;       ///< vertices whose position changed
+  int off_surface_vertices = 0; ///< not fixed, and yet off the input, so that quads do not intersect
+  double largest_offset = 0;    ///< distance of the farthest of these
 };
 
 /// The least, over the four corners, of `N . (a x b) / (|a| |b|)`, where a arrives at and b leaves the corner
@@ -43,12 +41,13 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 /// Each vertex steps towards the place where its quads would be rectangles, and back to the surface by a walk over
 /// neighbouring faces, so that it cannot jump to another sheet. Vertices on the mesh's boundary slide on the input's
 /// boundary loops, and those nearest to a loop's corners are held there. A step is taken only if it does not make the
-/// worst quad around the vertex worse than it was, or than good enough.
+/// worst quad around the vertex worse than it was, or than good enough. Vertices on tips and ridges take shorter steps,
+/// so that quads do not slide off the ends of limbs.
 ///
 /// With `untangle`, the vertices around inverted quads are then optimised for their worst corners by a pattern search;
 /// regions that still have inverted or intersecting quads (exact predicates) are relaxed anew with other weights, and
 /// single vertices are moved apart. Each such attempt is kept, region by region, only if it leaves fewer defects. Where
-/// nothing on the surface helps, vertices may leave it by up to 0.3 of the edges around them; the report counts them.
+/// nothing on the surface helps, vertices may leave it by up to half of the edges around them; the report counts them.
 /// If in the end more quads are inverted than before, the mesh is left as it was.
 ///
 /// \param mesh       an oriented manifold quad mesh that lies on or near `input`
