@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dispatcher: finds the subcommand, runs it, and turns what escapes from it into a sentence and an exit code.
 #include "Command.h"
+#include "Interruption.h"
 
 #include <array>
 #include <cstdio>
@@ -60,5 +61,6 @@ Exit_code guarded_dispatch(const Arguments& arguments) {
 } // namespace
 
 int main(int argc, char** argv) {
+  watch_for_interruption(); // first of all, so that an early Ctrl-C gets its exit code too
   return static_cast<int>(guarded_dispatch({argv + 1, argv + argc}));
 }
