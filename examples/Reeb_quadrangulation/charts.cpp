@@ -29,7 +29,8 @@ int main() {
   if (!layout) return 1;
 
   int flipped = 0;
-  for (const rq::Chart& chart : layout->atlas.charts) {
+  for (const auto& shared_chart : layout->atlas.charts) {
+    const rq::Chart& chart = *shared_chart;
     if (chart.kind != rq::Chart_kind::annulus) continue;
     auto map = rq::Chart_parameterization::prepare(chart);
     if (!map || !map->solve_columns(chart, map->natural(rq::Side::low), map->natural(rq::Side::high)))

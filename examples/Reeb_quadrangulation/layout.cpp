@@ -34,7 +34,7 @@ int main() {
             << layout->critical.saddles.size() << " saddles\n";
   const rq::Reeb_graph& graph = layout->graph;
   for (std::size_t a = 0; a < graph.arcs.size(); ++a) {
-    const rq::Chart& chart = layout->atlas.charts[a];
+    const rq::Chart& chart = *layout->atlas.charts[a];
     std::cout << "arc " << graph.arcs[a].low << " -> " << graph.arcs[a].high << ": "
               << (chart.kind == rq::Chart_kind::disc ? "disc" : "annulus") << " of "
               << chart.mesh.number_of_faces() << " triangles\n";

@@ -134,7 +134,7 @@ void add_reeb_graph(Scene& scene, const Reeb_layout& layout) {
     colours.push_back(layout.graph.extremum[n] >= 0 ? Colour{196, 64, 48} : Colour{40, 90, 160});
   std::vector<std::vector<Point>> arcs;
   for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
-    std::vector<Point> line = middle_line(layout.atlas.charts[c], values);
+    std::vector<Point> line = middle_line(*layout.atlas.charts[c], values);
     line.insert(line.begin(), nodes[layout.graph.arcs[c].low]);
     line.push_back(nodes[layout.graph.arcs[c].high]);
     smooth(line);

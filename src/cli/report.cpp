@@ -49,7 +49,7 @@ Json charts_json(const Quadrangulation& result) {
   Json list = Json::array();
   const Reeb_layout& layout = result.layout;
   for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
-    const Chart& chart = layout.atlas.charts[c];
+    const Chart& chart = *layout.atlas.charts[c];
     list.push_back({{"kind", chart.kind == Chart_kind::disc ? "disc" : "annulus"},
                     {"triangles", chart.mesh.number_of_faces()},
                     {"height", result.chart_height[c]},
@@ -64,7 +64,7 @@ Json charts_json(const Quadrangulation& result) {
 Json thin_charts_json(const Quadrangulation& result) {
   Json list = Json::array();
   for (std::size_t c = 0; c < result.chart_height.size(); ++c)
-    if (result.layout.atlas.charts[c].kind == Chart_kind::annulus &&
+    if (result.layout.atlas.charts[c]->kind == Chart_kind::annulus &&
         result.chart_height[c] < 0.5 * result.sampling.edge_length)
       list.push_back(c);
   return list;

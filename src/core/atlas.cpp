@@ -42,6 +42,29 @@ std::vector<std::vector<int>> flood_regions(const Embedding& embedding, std::vec
   return regions;
 }
 
+// The vertices of a face, the smallest first.
+Triangle rotated(const Triangle& t) {
+  const int i = int(std::min_element(t.begin(), t.end()) - t.begin());
+  return {t[i], t[(i + 1) % 3], t[(i + 2) % 3]};
+}
+
+// Orders a region's faces by their original faces, and the pieces of one by their vertices: an order that does not
+// depend on how many pieces there are elsewhere.
+void sort_faces(const Embedding& embedding, std::vector<int>& faces) {
+  const auto base = [&](int f) { return embedding.base_face[f]; };
+  const auto by_base = [&](int f, int g) { return base(f) < base(g); };
+  // Faces of the surface come first, then further pieces: both are in order.
+  const auto piece = std::find_if(faces.begin(), faces.end(), [&](int f) { return base(f) != f; });
+  std::inplace_merge(faces.begin(), piece, faces.end(), by_base);
+  for (auto first = faces.begin(), last = first; first != faces.end(); first = last) {
+    while (last != faces.end() && base(*last) == base(*first)) ++last;
+    if (last - first > 1)
+      std::sort(first, last, [&](int f, int g) {
+        return rotated(embedding.surface.triangles[f]) < rotated(embedding.surface.triangles[g]);
+      });
+  }
+}
+
 // Cuts one region out of the embedded surface. The scratch arrays are shared by all regions, since they are disjoint.
 class Chart_builder {
 public:
@@ -58,6 +81,7 @@ public:
   Result<Chart> build(const std::vector<int>& faces, int index) {
     m_index = index;
     m_chart = Chart();
+    m_extrema.clear();
     copy_faces(faces);
     if (Result<void> walked = trace_walks(faces); !walked) return walked.error();
     number_interior_vertices(faces);
@@ -209,14 +233,25 @@ private:
       m_chart.kind = Chart_kind::annulus;
       return {};
     }
-    if (chi == 1 && walks.size() == 1 && extrema.size() == 1) {
+    if (chi == 1 && walks.size() == 1 &&
+        (extrema.size() == 1 || (extrema.empty() && fractional_saddles(walks[0]) == 4))) {
       m_chart.kind = Chart_kind::disc;
-      m_chart.extremum = extrema[0];
+      m_chart.extremum = extrema.empty() ? -1 : extrema[0];
       return {};
     }
     return bad("is neither an annulus nor a disc with one extremum: Euler characteristic " +
                std::to_string(chi) + ", " + std::to_string(walks.size()) + " boundaries, " +
                std::to_string(extrema.size()) + " extrema");
+  }
+
+  int fractional_saddles(const Walk& walk) const {
+    int visits = 0;
+    for (const Walk_edge& e : walk.edges) {
+      const Contour_edge& edge = m_network.edges[e.edge];
+      const Node_kind kind = m_network.nodes[e.forward ? edge.from : edge.to].kind;
+      visits += kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle;
+    }
+    return visits;
   }
 
   // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:
@@ -322,10 +357,10 @@ std::map<Border_set, int> charts_by_border(const Atlas& atlas) {
 } // namespace
 
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
-                          const std::vector<int>& extrema, Atlas* previous, std::vector<int>* reused) {
+                          const std::vector<int>& extrema, const Atlas* previous, std::vector<int>* reused) {
   Atlas atlas;
   atlas.charts_of_edge.assign(network.edges.size(), {-1, -1});
-  const std::vector<std::vector<int>> regions = flood_regions(embedding, atlas.chart_of_face);
+  std::vector<std::vector<int>> regions = flood_regions(embedding, atlas.chart_of_face);
   for (int h = 0; h < embedding.surface.number_of_halfedges(); ++h)
     if (const int wall = embedding.wall_of[h]; wall >= 0)
       atlas.charts_of_edge[embedding.walls[wall].edge][embedding.walls[wall].forward ? 0 : 1] =
@@ -339,14 +374,14 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (const auto found = known.find(borders[r]); found != known.end()) {
       source[r] = found->second;
+      atlas.charts[r] = previous->charts[source[r]];
       continue;
     }
+    sort_faces(embedding, regions[r]);
     Result<Chart> chart = builder.build(regions[r], int(r));
     if (!chart) return chart.error();
-    atlas.charts[r] = std::move(*chart);
+    atlas.charts[r] = std::make_shared<const Chart>(std::move(*chart));
   }
-  for (std::size_t r = 0; r < regions.size(); ++r)
-    if (source[r] >= 0) atlas.charts[r] = std::move(previous->charts[source[r]]);
   if (reused) *reused = std::move(source);
   return atlas;
 }
@@ -382,7 +417,8 @@ Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network) {
     }
     graph.contour_of_edge.push_back(contour);
   }
-  for (const Chart& chart : atlas.charts) {
+  for (const std::shared_ptr<const Chart>& shared : atlas.charts) {
+    const Chart& chart = *shared;
     const int first = graph.contour_of_edge[chart.walks[0].edges[0].edge];
     if (chart.kind == Chart_kind::annulus) {
       graph.arcs.push_back({first, graph.contour_of_edge[chart.walks[1].edges[0].edge]});

@@ -58,8 +58,9 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   for (const Walk& walk : chart.walks)
     for (int v : walk.vertices) is_fixed[v] = 1;
   p.m_system = assemble(mesh, p.m_weights, is_fixed);
+  p.m_solver = std::make_shared<Multifrontal_solver>();
   if (p.m_system.matrix.size > 0)
-    if (Result<void> factorized = p.m_solver.factorize(p.m_system.matrix); !factorized)
+    if (Result<void> factorized = p.m_solver->factorize(p.m_system.matrix); !factorized)
       return factorized.error();
   if (chart.kind == Chart_kind::annulus) {
     if (Result<void> solved = p.solve_u(chart); !solved) return solved.error();
@@ -83,7 +84,7 @@ Result<void> Chart_parameterization::dirichlet(const Chart& chart, std::vector<d
     x[i] += m_weights.of_halfedge[h] * (with_jumps ? known + m_jump[h] : known);
   }
   if (!x.empty())
-    if (Result<void> solved = m_solver.solve(x.data()); !solved) return solved;
+    if (Result<void> solved = m_solver->solve(x.data()); !solved) return solved;
   for (std::size_t i = 0; i < x.size(); ++i) values[m_system.vertex_of_unknown[i]] = x[i];
   return {};
 }

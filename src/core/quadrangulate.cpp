@@ -2,6 +2,7 @@
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
+#include <CGAL/Reeb_quadrangulation/internal/pointers_to.h>
 #include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
 
@@ -34,7 +35,7 @@ Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::v
   // A contour whose points all coincide still needs a positive wish.
   for (Sampling_edge& e : result.problem.edges) e.length = std::max(e.length, 1e-9 * longest);
   for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
-    const Chart& chart = layout.atlas.charts[c];
+    const Chart& chart = *layout.atlas.charts[c];
     Sampling_chart s;
     s.kind = chart.kind == Chart_kind::disc ? Sampling_chart::Kind::disc : Sampling_chart::Kind::annulus;
     s.height = heights[c];
@@ -197,13 +198,13 @@ private:
 
   // Prepares the maps of the charts that have none yet (`reused[c] < 0`).
   Result<void> prepare_maps(const std::vector<int>& reused) {
-    const std::vector<Chart>& charts = m_result.layout.atlas.charts;
+    const std::vector<std::shared_ptr<const Chart>>& charts = m_result.layout.atlas.charts;
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
       if (reused[c] >= 0) return {};
       Result<Chart_parameterization> map =
           m_options.chart_weights
-              ? Chart_parameterization::prepare(charts[c], m_options.chart_weights(charts[c]))
-              : Chart_parameterization::prepare(charts[c]);
+              ? Chart_parameterization::prepare(*charts[c], m_options.chart_weights(*charts[c]))
+              : Chart_parameterization::prepare(*charts[c]);
       if (!map) return map.error();
       m_maps[c] = std::move(*map);
       return {};
@@ -211,7 +212,7 @@ private:
     if (!done) return done;
     m_result.chart_height.assign(charts.size(), 0);
     for (std::size_t c = 0; c < charts.size(); ++c)
-      if (charts[c].kind == Chart_kind::annulus) m_result.chart_height[c] = m_maps[c].profile().total();
+      if (charts[c]->kind == Chart_kind::annulus) m_result.chart_height[c] = m_maps[c].profile().total();
     return {};
   }
 
@@ -238,7 +239,7 @@ private:
 
   std::vector<int> contour_edges(int c) const {
     std::vector<int> edges;
-    for (const Walk& walk : m_result.layout.atlas.charts[c].walks)
+    for (const Walk& walk : m_result.layout.atlas.charts[c]->walks)
       for (const Walk_edge& e : walk.edges) edges.push_back(e.edge);
     std::sort(edges.begin(), edges.end());
     return edges;
@@ -249,7 +250,7 @@ private:
     const Reeb_layout& layout = m_result.layout;
     std::vector<int> thin;
     for (int c = 0; c < int(layout.atlas.charts.size()); ++c) {
-      if (layout.atlas.charts[c].kind != Chart_kind::annulus || m_result.chart_height[c] >= height) continue;
+      if (layout.atlas.charts[c]->kind != Chart_kind::annulus || m_result.chart_height[c] >= height) continue;
       const std::vector<int> edges = contour_edges(c);
       const bool saddles = std::all_of(edges.begin(), edges.end(), [&](int e) {
         return layout.network.nodes[layout.network.edges[e].from].kind == Node_kind::saddle &&
@@ -278,7 +279,7 @@ private:
     Reeb_layout& layout = m_result.layout;
     Contour_network network = layout.network;
     for (int c : thin) {
-      const Chart& chart = layout.atlas.charts[c];
+      const Chart& chart = *layout.atlas.charts[c];
       if (Result<void> solved =
               m_maps[c].solve_columns(chart, m_maps[c].natural(Side::low), m_maps[c].natural(Side::high));
           !solved)
@@ -323,24 +324,24 @@ private:
   Result<void> sample() {
     if (Result<void> sampled = solve_sampling(); !sampled) return sampled;
     const Reeb_layout& layout = m_result.layout;
-    m_samples.parameter =
-        contour_parameters(layout.embedding, layout.network, layout.atlas, m_maps, m_options.sample_blend);
+    m_samples.parameter = contour_parameters(layout.embedding, layout.network, layout.atlas,
+                                             internal::pointers_to(m_maps), m_options.sample_blend);
     return {};
   }
 
   Result<void> place() {
-    const std::vector<Chart>& charts = m_result.layout.atlas.charts;
+    const std::vector<std::shared_ptr<const Chart>>& charts = m_result.layout.atlas.charts;
     m_textures.resize(charts.size());
     std::vector<int> flipped(charts.size(), 0);
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
       const std::array<int, 2> grid = m_result.sampling.grid[c];
       Result<Placed_texture> placed =
-          charts[c].kind == Chart_kind::annulus
-              ? place_annulus(charts[c], m_samples, grid[1], m_maps[c], m_options.textures)
-              : place_disc(charts[c], m_samples, grid[0], grid[1], m_maps[c], m_options.textures);
+          charts[c]->kind == Chart_kind::annulus
+              ? place_annulus(*charts[c], m_samples, grid[1], m_maps[c], m_options.textures)
+              : place_disc(*charts[c], m_samples, grid[0], grid[1], m_maps[c], m_options.textures);
       if (!placed) return placed.error();
       m_textures[c] = std::move(*placed);
-      flipped[c] = m_maps[c].flipped(charts[c]);
+      flipped[c] = m_maps[c].flipped(*charts[c]);
       return {};
     });
     for (int n : flipped) m_result.flipped_triangles += n;
@@ -349,7 +350,8 @@ private:
 
   Result<void> join() {
     const Reeb_layout& layout = m_result.layout;
-    Stitched_mesh stitched = stitch(layout.embedding, layout.network, layout.atlas, m_samples, m_textures);
+    Stitched_mesh stitched =
+        stitch(layout.embedding, layout.network, layout.atlas, m_samples, internal::pointers_to(m_textures));
     m_result.mesh = std::move(stitched.mesh);
     m_result.valences = std::move(stitched.valences);
     m_result.chart_of_quad = std::move(stitched.chart_of_quad);
@@ -382,11 +384,11 @@ private:
 
   // Charts are independent; the largest ones start first so that two threads end together.
   template <class Work> Result<void> for_each_chart(const Work& work) {
-    const std::vector<Chart>& charts = m_result.layout.atlas.charts;
+    const std::vector<std::shared_ptr<const Chart>>& charts = m_result.layout.atlas.charts;
     std::vector<int> order(charts.size());
     for (std::size_t c = 0; c < order.size(); ++c) order[c] = int(c);
     std::sort(order.begin(), order.end(), [&](int a, int b) {
-      const int fa = charts[a].mesh.number_of_faces(), fb = charts[b].mesh.number_of_faces();
+      const int fa = charts[a]->mesh.number_of_faces(), fb = charts[b]->mesh.number_of_faces();
       return fa != fb ? fa > fb : a < b;
     });
     std::vector<Result<void>> done(charts.size());

@@ -53,24 +53,26 @@ int modulo(int a, int n) {
 
 std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
                                                     const Contour_network& network, const Atlas& atlas,
-                                                    const std::vector<Chart_parameterization>& maps,
-                                                    double blend) {
+                                                    const std::vector<const Chart_parameterization*>& maps,
+                                                    double blend, std::vector<std::vector<double>> known) {
   const std::size_t n = network.edges.size();
-  std::vector<std::vector<double>> parameter(n), natural(n);
+  std::vector<std::vector<double>> parameter = std::move(known), natural(n);
+  parameter.resize(n);
   std::vector<int> sides(n, 0);
   for (std::size_t c = 0; c < atlas.charts.size(); ++c) {
-    const Chart& chart = atlas.charts[c];
+    const Chart& chart = *atlas.charts[c];
     if (chart.kind != Chart_kind::annulus) continue;
     for (const Walk& walk : chart.walks) {
-      const std::vector<double>& v = maps[c].natural(walk.side);
+      const std::vector<double>& v = maps[c]->natural(walk.side);
       for (std::size_t i = 0; i < walk.edges.size(); ++i) {
+        const int e = walk.edges[i].edge;
+        if (!parameter[e].empty()) continue;
         std::vector<double> part(v.begin() + walk.edges[i].begin, v.begin() + end_of(walk, i) + 1);
         if (!walk.edges[i].forward) {
           std::reverse(part.begin(), part.end());
           for (double& x : part) x = -x;
         }
         normalise(part);
-        const int e = walk.edges[i].edge;
         if (natural[e].empty()) natural[e].assign(part.size(), 0.0);
         for (std::size_t k = 0; k < part.size(); ++k) natural[e][k] += part[k];
         ++sides[e];
@@ -78,7 +80,8 @@ std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
     }
   }
   for (std::size_t e = 0; e < n; ++e) {
-    if (network.is_removed(network.edges[e])) continue;
+    if (network.is_removed(network.edges[e])) parameter[e].clear();
+    if (network.is_removed(network.edges[e]) || !parameter[e].empty()) continue;
     parameter[e] = arc_lengths(embedding, network.edges[e]);
     if (sides[e] == 0) continue;
     std::vector<double> blended(parameter[e].size());
@@ -104,8 +107,23 @@ std::vector<double> walk_coordinates(const Walk& walk, const Contour_samples& sa
   return x;
 }
 
+std::vector<double> graded_rows(const Height_profile& profile, int rows, double grading) {
+  CGAL_precondition(grading > 0);
+  if (grading == 1 || rows < 2) return equal_rows(profile, rows);
+  const double ratio = std::pow(grading, 1.0 / (rows - 1));
+  std::vector<double> heights(1, 0.0);
+  double row = 1;
+  for (int i = 0; i < rows; ++i, row *= ratio) heights.push_back(heights.back() + row);
+  std::vector<double> levels;
+  for (double height : heights) levels.push_back(profile.level_at(height / heights.back()));
+  levels.front() = 0;
+  levels.back() = 1;
+  return strictly_increasing(levels) ? levels : equal_rows(profile, rows);
+}
+
 Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
-                                     Chart_parameterization& map, const Texture_maker& maker) {
+                                     Chart_parameterization& map, const Texture_maker& maker,
+                                     const Texture_placement& placement) {
   std::array<std::vector<double>, 2> x;
   std::array<double, 2> mean{{0, 0}};
   for (int w = 0; w < 2; ++w) {
@@ -119,11 +137,11 @@ Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& 
   }
   Placed_texture placed;
   const int columns = int(std::lround(walk_coordinates(chart.walks[0], samples).back()));
-  const int shift = int(std::lround(columns * (mean[0] - mean[1])));
+  const int shift = int(std::lround(columns * (mean[0] - mean[1]))) + placement.shift;
   for (double& value : x[1]) value += double(shift) / columns;
   if (Result<void> solved = map.solve_columns(chart, x[0], x[1]); !solved) return solved.error();
   const std::vector<double> levels =
-      maker.levels ? maker.levels(map.profile(), rows) : equal_rows(map.profile(), rows);
+      maker.levels ? maker.levels(map.profile(), rows) : graded_rows(map.profile(), rows, placement.grading);
   if (maker.levels && !are_levels(levels))
     return make_error(Error_code::impossible_request,
                       "the levels of a chart's rows do not increase from 0 to 1 in two steps or more");
@@ -169,7 +187,8 @@ int best_corner(const std::vector<Point>& p, int a, int b) {
 } // namespace
 
 Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
-                                  Chart_parameterization& map, const Texture_maker& maker) {
+                                  Chart_parameterization& map, const Texture_maker& maker,
+                                  const Texture_placement& placement) {
   const Walk& walk = chart.walks[0];
   const bool clockwise = walk.side == Side::high;
   const std::vector<double> x = walk_coordinates(walk, samples);
@@ -177,7 +196,8 @@ Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& sam
   CGAL_precondition(n == 2 * (a + b));
   // Clockwise, the side goes up b first: exchange the roles so that corners are found by the same steps.
   const int first = clockwise ? b : a, second = clockwise ? a : b;
-  const int corner = best_corner(sample_points(chart, walk, x), first, second);
+  const int corner = placement.corner >= 0 ? placement.corner % n
+                                           : best_corner(sample_points(chart, walk, x), first, second);
   std::vector<double> px, py;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     double s = x[i] - corner;
@@ -216,7 +236,7 @@ namespace {
 class Stitcher {
 public:
   Stitcher(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
-           const Contour_samples& samples, const std::vector<Placed_texture>& textures)
+           const Contour_samples& samples, const std::vector<const Placed_texture*>& textures)
       : m_embedding(embedding), m_network(network), m_atlas(atlas), m_samples(samples), m_textures(textures) {
   }
 
@@ -259,8 +279,8 @@ private:
   }
 
   void add_chart(int c) {
-    const Chart& chart = m_atlas.charts[c];
-    const Placed_texture& placed = m_textures[c];
+    const Chart& chart = *m_atlas.charts[c];
+    const Placed_texture& placed = *m_textures[c];
     std::vector<int> global(placed.texture.v.size(), -1);
     for (std::size_t w = 0; w < chart.walks.size(); ++w) {
       const std::vector<int> samples = walk_samples(chart.walks[w]);
@@ -324,7 +344,7 @@ private:
   const Contour_network& m_network;
   const Atlas& m_atlas;
   const Contour_samples& m_samples;
-  const std::vector<Placed_texture>& m_textures;
+  const std::vector<const Placed_texture*>& m_textures;
   Stitched_mesh m_out;
   std::vector<int> m_first_sample;
   std::vector<int> m_inner_edges;
@@ -333,7 +353,7 @@ private:
 } // namespace
 
 Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
-                     const Contour_samples& samples, const std::vector<Placed_texture>& textures) {
+                     const Contour_samples& samples, const std::vector<const Placed_texture*>& textures) {
   return Stitcher(embedding, network, atlas, samples, textures).run();
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/internal/pointers_to.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include "tiny_surfaces.h"
@@ -79,7 +80,8 @@ inline int folds(const Chart& chart, const Chart_parameterization& map) {
 inline Result<void> parameterize(Stages& run) {
   run.maps.clear();
   run.heights.clear();
-  for (const Chart& chart : run.layout.atlas.charts) {
+  for (const auto& shared_chart : run.layout.atlas.charts) {
+    const Chart& chart = *shared_chart;
     Result<Chart_parameterization> map = Chart_parameterization::prepare(chart);
     if (!map) return map.error();
     run.heights.push_back(chart.kind == Chart_kind::annulus ? map->profile().total() : 0);
@@ -98,12 +100,12 @@ inline Result<void> fill(Stages& run, int quads) {
   for (std::size_t i = 0; i < problem.edges.size(); ++i)
     run.sampling.counts[problem.edges[i]] = sampling->counts[i];
   run.samples.counts = run.sampling.counts;
-  run.samples.parameter =
-      contour_parameters(run.layout.embedding, run.layout.network, run.layout.atlas, run.maps, 0.5);
+  run.samples.parameter = contour_parameters(run.layout.embedding, run.layout.network, run.layout.atlas,
+                                             internal::pointers_to(run.maps), 0.5);
   run.textures.clear();
   run.flipped = run.folds = 0;
   for (std::size_t c = 0; c < run.maps.size(); ++c) {
-    const Chart& chart = run.layout.atlas.charts[c];
+    const Chart& chart = *run.layout.atlas.charts[c];
     const std::array<int, 2> grid = run.sampling.grid[c];
     Result<Placed_texture> placed = chart.kind == Chart_kind::annulus
                                         ? place_annulus(chart, run.samples, grid[1], run.maps[c])
@@ -113,8 +115,8 @@ inline Result<void> fill(Stages& run, int quads) {
     run.flipped += run.maps[c].flipped(chart);
     run.folds += folds(chart, run.maps[c]);
   }
-  run.stitched =
-      stitch(run.layout.embedding, run.layout.network, run.layout.atlas, run.samples, run.textures);
+  run.stitched = stitch(run.layout.embedding, run.layout.network, run.layout.atlas, run.samples,
+                        internal::pointers_to(run.textures));
   return {};
 }
 

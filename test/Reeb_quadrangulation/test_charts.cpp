@@ -52,7 +52,7 @@ template <class Visit> void for_each_chart(const Visit& visit) {
   for (const Named_run& r : runs())
     for (std::size_t c = 0; c < r.run.maps.size(); ++c) {
       INFO(r.name << ", chart " << c);
-      visit(r.run.layout.atlas.charts[c], r.run.maps[c], c, r.run);
+      visit(*r.run.layout.atlas.charts[c], r.run.maps[c], c, r.run);
     }
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("a cylinder is mapped by its height and its angle") {
   const Result<Reeb_layout> layout = make_layout(s, field);
   REQUIRE(bool(layout));
   REQUIRE(layout->atlas.charts.size() == 1);
-  const Chart& chart = layout->atlas.charts[0];
+  const Chart& chart = *layout->atlas.charts[0];
   Result<Chart_parameterization> map = Chart_parameterization::prepare(chart);
   REQUIRE(bool(map));
   CHECK(map->profile().total() == Approx(3));
@@ -166,7 +166,7 @@ TEST_CASE("a point outside of a disc's border, in a corner that it cuts off, is 
   const Named_run& r = runs()[0];
   REQUIRE(r.name == "tetrahedron");
   for (std::size_t c = 0; c < r.run.maps.size(); ++c) {
-    const Chart& chart = r.run.layout.atlas.charts[c];
+    const Chart& chart = *r.run.layout.atlas.charts[c];
     if (chart.kind != Chart_kind::disc) continue;
     std::vector<char> on_border(chart.mesh.points.size(), 0);
     for (int v : chart.walks[0].vertices) on_border[v] = 1;
@@ -206,7 +206,7 @@ TEST_CASE("every contour edge is sampled by one increasing parameter, whatever t
   for (const Named_run& r : runs())
     for (const double blend : {0.0, 0.5, 1.0}) {
       const auto parameter = contour_parameters(r.run.layout.embedding, r.run.layout.network,
-                                                r.run.layout.atlas, r.run.maps, blend);
+                                                r.run.layout.atlas, internal::pointers_to(r.run.maps), blend);
       REQUIRE(parameter.size() == r.run.layout.network.edges.size());
       for (std::size_t e = 0; e < parameter.size(); ++e) {
         INFO(r.name << ", contour " << e << ", blend " << blend);
@@ -305,7 +305,7 @@ TEST_CASE("collapsing a chart between saddles keeps the valences") {
     std::map<int, int> wanted = run->stitched.valences;
     wanted.erase(4);
     for (std::size_t c = 0; c < run->maps.size(); ++c) {
-      const Chart& chart = run->layout.atlas.charts[c];
+      const Chart& chart = *run->layout.atlas.charts[c];
       if (chart.kind != Chart_kind::annulus) continue;
       Chart_parameterization& map = run->maps[c];
       Contour_network network = run->layout.network;
@@ -326,7 +326,7 @@ TEST_CASE("collapsing a chart between saddles keeps the valences") {
       REQUIRE(bool(stages::parameterize(joined)));
       REQUIRE(bool(stages::fill(joined, 600)));
       CHECK(stages::faults(joined.stitched.mesh, s, joined.stitched.valences) == "");
-      for (const Chart& part : joined.layout.atlas.charts) CHECK(stages::chords(part) == 0);
+      for (const auto& part : joined.layout.atlas.charts) CHECK(stages::chords(*part) == 0);
       CHECK(joined.folds == 0); // long inlets of a joined contour leave U at 1 up to rounding
       std::map<int, int> found = joined.stitched.valences;
       found.erase(4);

@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
+#include <CGAL/Reeb_quadrangulation/internal/pointers_to.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -311,7 +312,8 @@ Reeb_layout torus_layout(const Triangle_surface& s) {
 TEST_CASE("models of ReebChartTraits prepare charts that do not fold") {
   const Reeb_layout layout = torus_layout(short_torus());
   const auto check = [&](const auto& traits) {
-    for (const Chart& chart : layout.atlas.charts) {
+    for (const auto& shared_chart : layout.atlas.charts) {
+      const Chart& chart = *shared_chart;
       auto map = prepare_chart(chart, traits);
       REQUIRE(bool(map));
       if (chart.kind != Chart_kind::annulus) continue;
@@ -327,7 +329,8 @@ TEST_CASE("models of ReebChartTraits prepare charts that do not fold") {
 
 TEST_CASE("the default of ReebChartTraits are the weights of the library") {
   const Reeb_layout layout = torus_layout(short_torus());
-  for (const Chart& chart : layout.atlas.charts) {
+  for (const auto& shared_chart : layout.atlas.charts) {
+    const Chart& chart = *shared_chart;
     CHECK(chart_weights(chart, Reeb_chart_traits()).of_halfedge ==
           clamped_cotangent_weights(chart.mesh).of_halfedge);
     CHECK(chart_weights(chart, Uniform_chart_traits()).of_halfedge ==
@@ -353,7 +356,7 @@ TEST_CASE("mean value weights of equilateral triangles are alike, also at scales
 
 TEST_CASE("weights that could fold a chart are refused") {
   const Reeb_layout layout = torus_layout(short_torus());
-  const Chart& chart = layout.atlas.charts[0];
+  const Chart& chart = *layout.atlas.charts[0];
   for (const double bad :
        {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     const auto map = prepare_chart(chart, Constant_traits{bad});
@@ -496,7 +499,7 @@ TEST_CASE("textures are free inside: their valences are predicted, their rows ne
   CHECK(inset_quads->valences != standard->valences);
   std::size_t in_annuli = 0;
   for (int q : standard->chart_of_quad)
-    in_annuli += standard->layout.atlas.charts[q].kind == Chart_kind::annulus;
+    in_annuli += standard->layout.atlas.charts[q]->kind == Chart_kind::annulus;
   CHECK(rows->mesh.quads.size() == standard->mesh.quads.size() + in_annuli);
   CHECK(flat->mesh.quads.size() < standard->mesh.quads.size());
   for (const Inexact_mesh* mesh : {&a, &b, &c, &d}) CHECK(CGAL::is_closed(*mesh));
@@ -529,7 +532,8 @@ TEST_CASE("one chart is filled by the textures of a traits class") {
   const Reeb_layout layout = torus_layout(short_torus());
   std::vector<Chart_parameterization> maps;
   std::vector<double> heights;
-  for (const Chart& chart : layout.atlas.charts) {
+  for (const auto& shared_chart : layout.atlas.charts) {
+    const Chart& chart = *shared_chart;
     auto map = prepare_chart(chart);
     REQUIRE(bool(map));
     heights.push_back(chart.kind == Chart_kind::annulus ? map->profile().total() : 0);
@@ -542,9 +546,10 @@ TEST_CASE("one chart is filled by the textures of a traits class") {
   samples.counts.assign(layout.network.edges.size(), 0);
   for (std::size_t i = 0; i < problem.edges.size(); ++i)
     samples.counts[problem.edges[i]] = sampling->counts[i];
-  samples.parameter = contour_parameters(layout.embedding, layout.network, layout.atlas, maps, 0.5);
+  samples.parameter =
+      contour_parameters(layout.embedding, layout.network, layout.atlas, internal::pointers_to(maps), 0.5);
   for (std::size_t c = 0; c < maps.size(); ++c) {
-    const Chart& chart = layout.atlas.charts[c];
+    const Chart& chart = *layout.atlas.charts[c];
     const auto placed =
         place_texture(chart, samples, sampling->grid[c], maps[c], archetype::Texture_traits(1));
     REQUIRE(bool(placed));

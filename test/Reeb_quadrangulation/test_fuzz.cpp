@@ -179,8 +179,8 @@ std::string failure(const Trial& trial, int quads) {
   if (!run) return run.error().message;
   const Reeb_layout& layout = run->layout;
   std::string text = stages::faults(run->stitched.mesh, trial.surface, run->stitched.valences);
-  for (const Chart& chart : layout.atlas.charts)
-    if (const int chords = stages::chords(chart); chords > 0) text += std::to_string(chords) + " chords; ";
+  for (const auto& chart : layout.atlas.charts)
+    if (const int chords = stages::chords(*chart); chords > 0) text += std::to_string(chords) + " chords; ";
   // Where a rough field's contour encloses a long inlet, U is 0 or 1 there up to rounding.
   const int turned = trial.is_harmonic ? run->flipped : run->folds;
   if (turned > 0) text += std::to_string(turned) + " flipped triangles; ";

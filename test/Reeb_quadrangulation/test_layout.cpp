@@ -64,7 +64,8 @@ TEST_CASE("every region is an annulus from a LOW to a HIGH walk, or a disc with 
   for (const Named_layout& l : layouts()) {
     INFO(l.name);
     std::size_t discs = 0;
-    for (const Chart& chart : l.layout.atlas.charts) {
+    for (const auto& shared_chart : l.layout.atlas.charts) {
+      const Chart& chart = *shared_chart;
       const int chi = euler_characteristic(chart.mesh);
       const auto rims = boundary_loops(chart.mesh);
       REQUIRE(rims.size() == chart.walks.size());
@@ -90,7 +91,8 @@ TEST_CASE("every region is an annulus from a LOW to a HIGH walk, or a disc with 
 
 TEST_CASE("the charts' meshes are connected surfaces as connect() computes them") {
   for (const Named_layout& l : layouts())
-    for (const Chart& chart : l.layout.atlas.charts) {
+    for (const auto& shared_chart : l.layout.atlas.charts) {
+      const Chart& chart = *shared_chart;
       INFO(l.name);
       Triangle_surface anew = chart.mesh;
       REQUIRE(bool(anew.connect()));
@@ -105,7 +107,8 @@ TEST_CASE("the charts' meshes are connected surfaces as connect() computes them"
 
 TEST_CASE("no edge inside a chart joins two vertices of one walk") {
   for (const Named_layout& l : layouts())
-    for (const Chart& chart : l.layout.atlas.charts) {
+    for (const auto& shared_chart : l.layout.atlas.charts) {
+      const Chart& chart = *shared_chart;
       INFO(l.name);
       CHECK(stages::chords(chart) == 0);
     }
@@ -129,7 +132,7 @@ TEST_CASE("every contour edge has one LOW-side and one HIGH-side chart, a bounda
     const Contour_network& network = l.layout.network;
     std::vector<std::array<int, 2>> seen(network.edges.size(), {0, 0});
     for (std::size_t c = 0; c < l.layout.atlas.charts.size(); ++c)
-      for (const Walk& walk : l.layout.atlas.charts[c].walks)
+      for (const Walk& walk : l.layout.atlas.charts[c]->walks)
         for (const Walk_edge& e : walk.edges) {
           ++seen[e.edge][walk.side == Side::low ? 0 : 1];
           CHECK(l.layout.atlas.charts_of_edge[e.edge][walk.side == Side::low ? 0 : 1] == int(c));
@@ -241,10 +244,10 @@ TEST_CASE("a figure eight visits its saddle twice from below and once from each 
   CHECK(layout->critical.saddles == std::vector<int>{0});
   CHECK(layout->atlas.charts.size() == 6); // a body, two lobes, and a cap for each extremum
   std::vector<int> visits;
-  for (const Chart& chart : layout->atlas.charts)
-    for (const Walk& walk : chart.walks)
+  for (const auto& chart : layout->atlas.charts)
+    for (const Walk& walk : chart->walks)
       if (const int n = int(std::count_if(walk.vertices.begin(), walk.vertices.end(),
-                                          [&](int v) { return chart.vertex_origin[v] == 0; }))) {
+                                          [&](int v) { return chart->vertex_origin[v] == 0; }))) {
         visits.push_back(n);
         CHECK(walk.side == (n == 2 ? Side::high : Side::low));
         CHECK(int(walk.edges.size()) == n);
@@ -339,7 +342,7 @@ TEST_CASE("an atlas built anew takes over every chart whose contours are the sam
     REQUIRE(again->charts.size() == l.layout.atlas.charts.size());
     for (std::size_t c = 0; c < reused.size(); ++c) {
       CHECK(reused[c] == int(c));
-      CHECK(again->charts[c].vertex_origin == l.layout.atlas.charts[c].vertex_origin);
+      CHECK(again->charts[c]->vertex_origin == l.layout.atlas.charts[c]->vertex_origin);
     }
   }
 }

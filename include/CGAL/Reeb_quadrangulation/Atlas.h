@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Embedding.h>
 
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -11,7 +12,7 @@ namespace Reeb_quadrangulation {
 
 enum class Chart_kind : signed char {
   annulus, ///< one LOW walk, one HIGH walk
-  disc     ///< one walk around one extremum
+  disc     ///< one walk around one extremum, or a rectangle between four fractional saddles
 };
 
 /// A contour edge as a walk passes it.
@@ -39,14 +40,14 @@ struct Chart {
   /// The ends of the chords that were split, for the vertices without origin, which are the last ones.
   std::vector<std::array<int, 2>> split_chords;
   std::vector<Walk> walks; ///< LOW then HIGH, or the only one
-  int extremum = -1;       ///< the local vertex of a disc's extremum
+  int extremum = -1;       ///< the local vertex of a disc's extremum; -1 in a rectangle without one
 
   const Walk& walk(Side side) const { return walks.size() > 1 && side == Side::high ? walks[1] : walks[0]; }
 };
 
-/// The charts, ordered by their smallest face.
+/// The charts, ordered by their smallest face. They are values that never change, so that states of a design share them.
 struct Atlas {
-  std::vector<Chart> charts;
+  std::vector<std::shared_ptr<const Chart>> charts;
   std::vector<int> chart_of_face; ///< of the embedding
   std::vector<std::array<int, 2>>
       charts_of_edge; ///< per contour edge: left and right chart; -1 outside the surface
@@ -67,11 +68,12 @@ struct Reeb_graph {
 };
 
 /// Floods the faces between contours and boundaries, O(F), and checks each region: an annulus with one LOW and one HIGH
-/// walk, or a disc with one walk and exactly one vertex of `extrema` inside. Fails with `internal_error`, naming the chart.
-/// A chart of `previous` with the same contour edges on its walks is moved from there as it is, on success only; `reused`, if given, gets its index
+/// walk, or a disc with one walk and one vertex of `extrema` inside (none if its walk passes half- or quarter-saddles four times). Fails with
+/// `internal_error`, naming the chart. A chart depends on the contours around it alone: the others change no bit of it.
+/// A chart of `previous` with the same contour edges on its walks is shared; `reused`, if given, gets its index
 /// there for each new chart, or -1. \pre Since then contour edges were only removed and added, and no crossing was moved.
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
-                          const std::vector<int>& extrema, Atlas* previous = nullptr,
+                          const std::vector<int>& extrema, const Atlas* previous = nullptr,
                           std::vector<int>* reused = nullptr);
 
 Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network);

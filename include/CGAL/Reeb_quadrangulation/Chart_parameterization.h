@@ -6,6 +6,7 @@
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +27,7 @@ struct Height_profile {
 /// An annulus goes to the cylinder of height 1 and circumference 1: U is 0 on the LOW walk and 1 on the HIGH walk, V grows
 /// eastward by 1 around. V is multivalued: `jump[h]` is added to the V of the target of halfedge `h` as seen from its source; it is
 /// non-zero only across a strip of faces from walk to walk, and no result depends on which strip.
+/// Copies share the factorization.
 /// A disc goes to the rectangle [0, a] x [0, b], counterclockwise; then U is the second coordinate and V the first.
 class Chart_parameterization {
 public:
@@ -71,7 +73,7 @@ private:
 
   Edge_weights m_weights;
   Laplace_system m_system;
-  Multifrontal_solver m_solver;
+  std::shared_ptr<Multifrontal_solver> m_solver; // shared by copies, which differ in V alone
   std::vector<double> m_u, m_v;
   std::vector<signed char> m_jump;
   std::array<int, 2> m_seam_vertex{{0, 0}}; // per walk: index of the first vertex east of the seam

@@ -19,11 +19,13 @@ struct Contour_samples {
 };
 
 /// The shared parameter of each contour edge: arc length, blended by `blend` in [0, 1] with the mean of the natural V of the
-/// annuli on its sides, where they are strictly monotone. Independent of the counts.
+/// annuli on its sides, where they are strictly monotone. Independent of the counts. Edges with an entry in `known` keep it, so
+/// that an edit on one side of a contour leaves the samples of the other side where they are.
 std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
                                                     const Contour_network& network, const Atlas& atlas,
-                                                    const std::vector<Chart_parameterization>& maps,
-                                                    double blend);
+                                                    const std::vector<const Chart_parameterization*>& maps,
+                                                    double blend,
+                                                    std::vector<std::vector<double>> known = {});
 
 /// The positions of a walk's vertices in sample steps, from 0 at its first vertex; one more entry than vertices, the last is
 /// the walk's number of samples.
@@ -37,14 +39,26 @@ struct Placed_texture {
   std::vector<Chart_location> location; ///< of each texture vertex
 };
 
+/// What the user decides about a chart's texture.
+struct Texture_placement {
+  int shift = 0;      ///< annulus: columns by which the HIGH walk is turned east, beyond the best fit
+  double grading = 1; ///< annulus: height of the uppermost row over that of the lowest, positive
+  int corner = -1;    ///< disc: the sample of the walk where the corner (0, 0) lies; -1 = the best fit
+};
+
+/// The U of `rows + 1` level lines whose rows' heights grow geometrically by `grading` from the first to the last.
+std::vector<double> graded_rows(const Height_profile& profile, int rows, double grading);
+
 /// Solves V of an annulus for the samples, turning the HIGH walk by the whole number of columns that fits the natural V best, and
 /// fills it with `rows` rows of equal height, or as `maker` does. A texture that does not fit is an `impossible_request`.
 Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
-                                     Chart_parameterization& map, const Texture_maker& maker = {});
+                                     Chart_parameterization& map, const Texture_maker& maker = {},
+                                     const Texture_placement& placement = {});
 
 /// Maps a disc to a x b, its corners where they span the largest quadrilateral, and fills it regularly, or as `maker` does.
 Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
-                                  Chart_parameterization& map, const Texture_maker& maker = {});
+                                  Chart_parameterization& map, const Texture_maker& maker = {},
+                                  const Texture_placement& placement = {});
 
 /// The stitched quad mesh and what every vertex is.
 struct Stitched_mesh {
@@ -56,7 +70,7 @@ struct Stitched_mesh {
 
 /// Joins the placed textures by identity of their samples. \pre The textures' sides have the samples' numbers.
 Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
-                     const Contour_samples& samples, const std::vector<Placed_texture>& textures);
+                     const Contour_samples& samples, const std::vector<const Placed_texture*>& textures);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
