@@ -25,6 +25,8 @@
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
 #include <CGAL/Reeb_quadrangulation/Result.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/Texture_edit.h>
+#include <CGAL/Reeb_quadrangulation/Texture_place.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 #include <CGAL/Reeb_quadrangulation/Vertex_order.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>

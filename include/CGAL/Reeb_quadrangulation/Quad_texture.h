@@ -20,6 +20,10 @@ struct Quad_texture {
   /// The vertices on each walk of the chart, in the order of `Chart::walks` and eastward like them; entry 0 is V = 0 on an
   /// annulus, the corner (0, 0) on a disc.
   std::vector<std::vector<int>> sides;
+  /// Per quad: 1 if it is a hole, in the texture but not in the mesh. Empty if there is none.
+  std::vector<char> holes;
+
+  bool is_hole(int quad) const { return !holes.empty() && holes[quad]; }
 };
 
 /// The U of `rows + 1` level lines, from 0 to 1, that cut an annulus into rows of equal height.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_INTERNAL_QUAD_CONNECTIVITY_H
+#define CGAL_REEB_QUADRANGULATION_INTERNAL_QUAD_CONNECTIVITY_H
+
+#include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace internal {
+
+/// Halfedge `h = 4 q + i` runs from `quads[q][i]` to `quads[q][(i + 1) % 4]`, with quad q on its left.
+inline int quad_of(int h) {
+  return h / 4;
+}
+inline int next(int h) {
+  return (h & ~3) | ((h + 1) & 3);
+}
+inline int across(int h) {
+  return (h & ~3) | ((h + 2) & 3);
+}
+inline int previous(int h) {
+  return (h & ~3) | ((h + 3) & 3);
+}
+inline int source(const std::vector<Quad>& quads, int h) {
+  return quads[h / 4][h & 3];
+}
+inline int target(const std::vector<Quad>& quads, int h) {
+  return quads[h / 4][(h + 1) & 3];
+}
+
+/// The opposite halfedge of each, or -1 on the boundary. Returns the first quad with an edge that another quad passes in the same
+/// direction or that joins a vertex to itself, or -1 if there is none. O(Q) where valences are bounded.
+int connect_quads(const std::vector<Quad>& quads, int number_of_vertices, std::vector<int>& opposite);
+
+} // namespace internal
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_INTERNAL_QUAD_CONNECTIVITY_H
