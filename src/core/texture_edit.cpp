@@ -11,10 +11,9 @@ namespace Reeb_quadrangulation {
 const char* name(const Texture_edit& edit) {
   // In the order of the variant.
   static const std::array<const char*, std::variant_size_v<Texture_edit>> names{
-      "subdivide_texture", "coarsen_texture", "insert_polychord", "delete_polychord",
-      "inset_quads",       "open_quad",       "close_quad",       "rotate_edge",
-      "rotate_vertex",     "insert_doublet",  "remove_doublet",   "remove_singlet",
-      "delete_quads",      "restore_quads",   "move_vertices",    "relax_vertices"};
+      "subdivide_texture", "coarsen_texture", "insert_polychord", "delete_polychord", "inset_quads",
+      "open_quad",         "close_quad",      "rotate_edge",      "rotate_vertex",    "insert_doublet",
+      "remove_doublet",    "delete_quads",    "restore_quads",    "move_vertices",    "relax_vertices"};
   return names[edit.index()];
 }
 

@@ -121,16 +121,6 @@ Result<void> draw(Texture_draft& draft, const Remove_doublet& edit) {
   return {};
 }
 
-Result<void> draw(Texture_draft& draft, const Remove_singlet& edit) {
-  const Result<int> h = vertex_halfedge(draft, edit.vertex);
-  if (!h) return h.error();
-  const int v = draft.source(*h);
-  if (!draft.is_inside(v)) return inner_only("removing a singlet", v);
-  if (draft.fan(*h).size() != 1) return refused("the vertex is no singlet", Element_kind::vertex, v);
-  draft.remove_quad(quad_of(*h));
-  return {};
-}
-
 namespace {
 
 // The neighbours of the vertex whose fan it is, counterclockwise; at a side vertex one more than quads.

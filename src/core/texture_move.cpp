@@ -44,16 +44,22 @@ public:
   bool is_fixed(int v) const { return m_fixed[v] != 0; }
   void fix(int v) { m_fixed[v] = 1; }
 
-  // The part of the displacement that was possible: 1, 1/2, ... 1/64 or 0.
+  // The part of the displacement that was possible.
   double move(int v, const Displacement& d) {
     if (is_fixed(v) || (d.v == 0 && d.u == 0)) return 0;
     const Plane_point old = m_draft.point(v);
-    for (double part = 1; part > 0.01; part /= 2) {
-      m_draft.move_vertex(v, {m_draft.plane().wrapped(old.v + part * d.v), old.u + part * d.u});
-      if (std::abs(part * d.v) < 0.25 * period() && are_valid(v)) return part;
+    double good = 0, bad = 2;
+    for (double part = 1; part > 1e-6 && good == 0; part /= 2)
+      if (try_move(v, old, d, part))
+        good = part;
+      else
+        bad = part;
+    for (int i = 0; i < 5 && good > 0 && bad < 2; ++i) {
+      const double part = (good + bad) / 2;
+      (try_move(v, old, d, part) ? good : bad) = part;
     }
-    m_draft.move_vertex(v, old);
-    return 0;
+    m_draft.move_vertex(v, {m_draft.plane().wrapped(old.v + good * d.v), old.u + good * d.u});
+    return good;
   }
 
   // From a vertex to where the sum of the squares of its edges and of the twists of its quads (a - b + c - d) is least: even
@@ -91,6 +97,10 @@ public:
   }
 
 private:
+  bool try_move(int v, const Plane_point& old, const Displacement& d, double part) {
+    m_draft.move_vertex(v, {m_draft.plane().wrapped(old.v + part * d.v), old.u + part * d.u});
+    return std::abs(part * d.v) < 0.25 * period() && are_valid(v);
+  }
   double period() const { return m_draft.plane().is_periodic() ? 1 : 1e300; }
   Displacement to(const Plane_point& p, int w) const {
     const Plane_point q = m_draft.point(w);

@@ -20,7 +20,6 @@ Result<void> draw(Texture_draft& draft, const Rotate_edge& edit);
 Result<void> draw(Texture_draft& draft, const Rotate_vertex& edit);
 Result<void> draw(Texture_draft& draft, const Insert_doublet& edit);
 Result<void> draw(Texture_draft& draft, const Remove_doublet& edit);
-Result<void> draw(Texture_draft& draft, const Remove_singlet& edit);
 Result<void> draw(Texture_draft& draft, const Delete_quads& edit);
 Result<void> draw(Texture_draft& draft, const Restore_quads& edit);
 Result<void> draw(Texture_draft& draft, const Move_vertices& edit);

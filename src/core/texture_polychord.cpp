@@ -145,6 +145,7 @@ Result<void> draw(Texture_draft& draft, const Delete_polychord& edit) {
     draft.merge(keep, gone);
     draft.remove_quad(quad_of(e.halfedge));
   }
+  draft.remove_folded_quads();
   return {};
 }
 

@@ -54,7 +54,8 @@ struct Open_quad {
 };
 
 /// Collapses a quad along the diagonal from `corner`: its two ends become one vertex at the fraction `at` in [0, 1], or where
-/// the one is that lies on a side. A singlet that this leaves is removed.
+/// the one is that lies on a side. Where that would leave a singlet, a vertex of one edge with a quad folded around it, both
+/// are removed, here and in `Delete_polychord`: no texture ever has one.
 struct Close_quad {
   Texture_place corner;
   double at = 0.5;
@@ -78,11 +79,6 @@ struct Insert_doublet {
 
 /// Removes an inner vertex of two quads, which become one.
 struct Remove_doublet {
-  Texture_place vertex;
-};
-
-/// Removes a vertex of one edge, and the quad that is folded around it. No texture that is valid in the plane has one.
-struct Remove_singlet {
   Texture_place vertex;
 };
 
@@ -123,7 +119,7 @@ struct Relax_vertices {
 using Texture_edit =
     std::variant<Subdivide_texture, Coarsen_texture, Insert_polychord, Delete_polychord, Inset_quads,
                  Open_quad, Close_quad, Rotate_edge, Rotate_vertex, Insert_doublet, Remove_doublet,
-                 Remove_singlet, Delete_quads, Restore_quads, Move_vertices, Relax_vertices>;
+                 Delete_quads, Restore_quads, Move_vertices, Relax_vertices>;
 
 /// The name of an edit, as recipes and messages have it: "insert_polychord".
 const char* name(const Texture_edit& edit);
