@@ -48,6 +48,7 @@ Exit_code execute_run(const Arguments& arguments);
 Exit_code execute_check(const Arguments& arguments);
 Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_shape(const Arguments& arguments);
+Exit_code execute_studio(const Arguments& arguments);
 Exit_code execute_version(const Arguments& arguments);
 
 } // namespace reebquad

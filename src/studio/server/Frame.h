@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_STUDIO_FRAME_H
+#define REEBQUAD_STUDIO_FRAME_H
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace reebquad {
+namespace studio {
+
+using Json = nlohmann::json;
+
+/// The version of the protocol that this program speaks; see src/studio/protocol.md.
+constexpr int protocol_version = 1;
+
+/// A binary message: named arrays of numbers and a few words about them, as the protocol describes it.
+class Frame {
+public:
+  explicit Frame(std::string layer) : m_layer(std::move(layer)) {}
+
+  Json data = Json::object(); ///< the words
+
+  void add(const std::string& name, const std::vector<float>& values) { append(name, "f32", values); }
+  void add(const std::string& name, const std::vector<std::uint32_t>& values) { append(name, "u32", values); }
+  void add(const std::string& name, const std::vector<std::int32_t>& values) { append(name, "i32", values); }
+  void add(const std::string& name, const std::vector<std::uint8_t>& values) { append(name, "u8", values); }
+  /// x, y, z of each point, less `origin`.
+  void add_points(const std::string& name, const std::vector<Eigen::Vector3d>& points,
+                  const Eigen::Vector3d& origin);
+  template <std::size_t N>
+  void add_indices(const std::string& name, const std::vector<std::array<int, N>>& faces) {
+    std::vector<std::uint32_t> flat;
+    flat.reserve(N * faces.size());
+    for (const auto& face : faces)
+      for (const int i : face) flat.push_back(std::uint32_t(i));
+    add(name, flat);
+  }
+
+  /// The bytes of the message.
+  std::shared_ptr<const std::string> encode() const;
+
+private:
+  template <class T> void append(const std::string& name, const char* type, const std::vector<T>& values) {
+    append(name, type, values.data(), sizeof(T), values.size());
+  }
+  void append(const std::string& name, const char* type, const void* values, std::size_t size,
+              std::size_t number);
+
+  std::string m_layer;
+  Json m_arrays = Json::array();
+  std::string m_payload;
+};
+
+} // namespace studio
+} // namespace reebquad
+
+#endif // REEBQUAD_STUDIO_FRAME_H

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Hub.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
+
+#include <algorithm>
+#include <array>
+
+namespace reebquad {
+namespace studio {
+
+using CGAL::Reeb_quadrangulation::Error;
+using CGAL::Reeb_quadrangulation::Error_code;
+using CGAL::Reeb_quadrangulation::make_error;
+
+namespace {
+
+std::shared_ptr<const std::string> text_of(const Json& json) {
+  return std::make_shared<const std::string>(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+Json error_json(const Error& error) {
+  return {{"code", CGAL::Reeb_quadrangulation::description(error.code)},
+          {"cancelled", error.code == Error_code::cancelled},
+          {"message", error.message},
+          {"element", CGAL::Reeb_quadrangulation::name(error.element)},
+          {"index", error.index}};
+}
+
+Json reply_json(std::int64_t id, const Result<Json>& result) {
+  if (result) return {{"reply", id}, {"ok", true}, {"result", *result}};
+  return {{"reply", id}, {"ok", false}, {"error", error_json(result.error())}};
+}
+
+Result<Json> done(const Result<void>& result) {
+  if (!result) return result.error();
+  return Json::object();
+}
+
+Result<Json> list_files(const Folder& folder) {
+  Json files = Json::array();
+  for (const Listed_file& file : folder.meshes())
+    files.push_back({{"name", file.name}, {"bytes", file.bytes}});
+  return Json{{"folder", folder.path().filename().string()}, {"files", files}};
+}
+
+std::string extension_of(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? "" : name.substr(dot + 1);
+}
+
+/// Writes what the session gives into a file of the user's folder.
+Result<Json> save(const Session& session, const std::string& name, const Result<std::string>& bytes) {
+  if (!bytes) return bytes.error();
+  Result<std::string> path = session.folder().resolve(name);
+  if (!path) return path.error();
+  Result<void> written = CGAL::Reeb_quadrangulation::write_file_atomically(*path, *bytes);
+  if (!written) return written.error();
+  return Json{{"name", name}};
+}
+
+Result<Json> execute(Session& session, const Request& request, Worker::Observer& observer) {
+  const Json& body = request.body;
+  switch (request.command) {
+  case Command::list_files: return list_files(session.folder());
+  case Command::open_file: return done(session.open_file(body["name"], observer));
+  case Command::restore: return done(session.restore(observer));
+  case Command::forget: session.forget(); return Json::object();
+  case Command::edit: return session.edit(body["edit"], observer);
+  case Command::preview: return session.preview(body["edit"], observer);
+  case Command::undo: return done(session.undo(observer));
+  case Command::redo: return done(session.redo(observer));
+  case Command::go_to:
+    return done(session.go_to(int(std::clamp<std::int64_t>(body["step"], -1, 1 << 30)), observer));
+  case Command::certify: return done(session.certify(observer));
+  case Command::save_recipe: return save(session, body["name"], session.recipe());
+  case Command::export_quads:
+    return save(session, body["name"], session.export_quads(extension_of(body["name"])));
+  case Command::cancel: // by the hub, at once
+  case Command::chart: break;
+  }
+  return make_error(Error_code::internal_error, "the command is not carried out here");
+}
+
+} // namespace
+
+Hub::Hub(const Folder& folder, Post post)
+    : m_post(std::move(post)), m_session(std::make_unique<Session>(folder)),
+      m_worker(std::make_unique<Worker>([this](const std::string& stage, double fraction) {
+        m_post([this, stage, fraction] {
+          broadcast("progress", {{"event", "progress"}, {"stage", stage}, {"fraction", fraction}});
+        });
+      })) {
+  m_state = text_of(m_session->state());
+}
+
+void Hub::stop() {
+  m_worker.reset();
+  m_clients.clear();
+}
+
+void Hub::add(const std::shared_ptr<Client>& client) {
+  m_clients.insert(client);
+  client->send({"", text_of({{"event", "hello"}, {"version", protocol_version}}), false});
+  send_layers(*client);
+  client->send({"state", m_state, false});
+}
+
+void Hub::remove(const std::shared_ptr<Client>& client) {
+  m_clients.erase(client);
+}
+
+void Hub::enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable) {
+  // The reply follows the picture: when a page learns that its edit is done it has been sent what changed.
+  const auto job = [this, task = std::move(task), done](Worker::Observer& observer) {
+    Result<Json> result = task(*m_session, observer);
+    publish_from_worker();
+    m_post([done, result = std::move(result)] { done(result); });
+  };
+  const auto failed = [this, done](const std::string& what) {
+    m_post([done, what] { done(make_error(Error_code::internal_error, "the work failed: " + what)); });
+  };
+  if (!m_worker->push(job, failed, replaceable))
+    done(make_error(Error_code::impossible_request, "too many requests wait; this one is dropped"));
+}
+
+void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {
+  Result<Request> request = parse_request(text);
+  if (!request) {
+    client->send({"", text_of(reply_json(request_id(text), request.error())), false});
+    return;
+  }
+  if (request->command == Command::cancel) {
+    m_worker->cancel();
+    client->send({"", text_of(reply_json(request->id, Json::object())), false});
+    return;
+  }
+  start(client, *request);
+}
+
+void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
+  const std::int64_t id = request.id;
+  const auto reply = [client, id](Result<Json> result) {
+    if (const auto there = client.lock()) there->send({"", text_of(reply_json(id, result)), false});
+  };
+  const auto task = [this, request, client](Session& session, Worker::Observer& observer) -> Result<Json> {
+    if (request.command != Command::chart) return execute(session, request, observer);
+    Result<std::shared_ptr<const std::string>> frame = session.chart(request.body["chart"].get<int>());
+    if (!frame) return frame.error();
+    m_post([client, frame = *frame] {
+      if (const auto there = client.lock()) there->send({"chart", frame, true});
+    });
+    return Json::object();
+  };
+  const auto live = request.body.find("live");
+  const bool replaceable =
+      request.command == Command::preview || (live != request.body.end() && *live == true);
+  enqueue(task, reply, replaceable);
+}
+
+void Hub::open_file(const std::string& name) {
+  enqueue([name](Session& session,
+                 Worker::Observer& observer) { return done(session.open_file(name, observer)); },
+          [this](Result<Json> result) {
+            if (!result) broadcast("", {{"event", "trouble"}, {"message", result.error().message}});
+          });
+}
+
+void Hub::upload(std::string name, std::string bytes, Download done_) {
+  enqueue(
+      [name = std::move(name), bytes = std::move(bytes)](Session& session, Worker::Observer& observer) {
+        return done(session.open_upload(name, bytes, observer));
+      },
+      [done_](Result<Json> result) {
+        if (result)
+          done_(result->dump());
+        else
+          done_(result.error());
+      });
+}
+
+void Hub::download(std::string what, Download done_) {
+  const auto bytes = std::make_shared<std::string>();
+  enqueue(
+      [what = std::move(what), bytes](Session& session, Worker::Observer&) -> Result<Json> {
+        Result<std::string> made = what == "recipe" ? session.recipe() : session.export_quads(what);
+        if (!made) return made.error();
+        *bytes = std::move(*made);
+        return Json::object();
+      },
+      [done_, bytes](Result<Json> result) {
+        if (result)
+          done_(std::move(*bytes));
+        else
+          done_(result.error());
+      });
+}
+
+void Hub::publish_from_worker() {
+  if (m_session->revision() == m_published) return;
+  m_published = m_session->revision();
+  Layers layers = m_session->layers();
+  auto state = text_of(m_session->state());
+  m_post([this, layers = std::move(layers), state = std::move(state)]() mutable {
+    // A layer that is the same as before keeps its bytes, and so nobody is sent it again; but with a new surface the values
+    // on it are sent anew.
+    const auto same = [&](const std::string& name) {
+      const auto before = m_layers.find(name), after = layers.find(name);
+      return before != m_layers.end() && after != layers.end() && *before->second == *after->second;
+    };
+    const bool same_surface = same("surface");
+    for (auto& [name, bytes] : layers)
+      if (same(name) && (same_surface || (name != "field" && name != "charts"))) bytes = m_layers[name];
+    m_layers = std::move(layers);
+    m_state = std::move(state);
+    publish();
+  });
+}
+
+void Hub::publish() {
+  for (const auto& client : m_clients) {
+    send_layers(*client);
+    client->send({"state", m_state, false});
+  }
+}
+
+void Hub::send_layers(Client& client) const {
+  // The surface first: other layers give values to its vertices and faces.
+  constexpr std::array<const char*, 7> order{"surface",  "field", "charts", "contours",
+                                             "critical", "reeb",  "quads"};
+  for (const char* name : order) {
+    const auto current = m_layers.find(name);
+    const auto bytes = current == m_layers.end() ? nullptr : current->second;
+    auto& sent = client.layers[name];
+    if (sent == bytes) continue;
+    sent = bytes;
+    const std::string key = std::string("layer ") + name;
+    if (bytes)
+      client.send({key, bytes, true});
+    else
+      client.send({key, text_of({{"event", "no_layer"}, {"layer", name}}), false});
+  }
+}
+
+void Hub::broadcast(const std::string& key, const Json& json) {
+  const auto text = text_of(json);
+  for (const auto& client : m_clients) client->send({key, text, false});
+}
+
+} // namespace studio
+} // namespace reebquad

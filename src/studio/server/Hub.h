@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_STUDIO_HUB_H
+#define REEBQUAD_STUDIO_HUB_H
+
+#include "Client.h"
+#include "Request.h"
+#include "Session.h"
+#include "Worker.h"
+
+#include <functional>
+#include <set>
+
+namespace reebquad {
+namespace studio {
+
+/// Joins the pages that are connected to the one session: takes their requests, has the worker carry them out, and tells all
+/// pages what became of it. All functions are called on the sockets' thread.
+class Hub {
+public:
+  /// Runs a function on the sockets' thread, from any thread.
+  using Post = std::function<void(std::function<void()>)>;
+  /// A download: the bytes, or why there are none.
+  using Download = std::function<void(Result<std::string>)>;
+
+  Hub(const Folder& folder, Post post);
+  /// Ends the work and lets go of the pages.
+  void stop();
+
+  void add(const std::shared_ptr<Client>& client);
+  void remove(const std::shared_ptr<Client>& client);
+  std::size_t number_of_clients() const { return m_clients.size(); }
+
+  /// A text message of a page; the reply goes to that page, what changed to all.
+  void receive(const std::shared_ptr<Client>& client, std::string_view text);
+
+  /// Opens a mesh file of the user's folder, as if a page had asked for it.
+  void open_file(const std::string& name);
+  void upload(std::string name, std::string bytes, Download done);
+  /// `what` is "recipe" or the extension of a mesh format.
+  void download(std::string what, Download done);
+
+private:
+  using Task = std::function<Result<Json>(Session&, Worker::Observer&)>;
+  void start(const std::weak_ptr<Client>& client, const Request& request);
+  void enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable = false);
+  /// Tells the pages the session as it is; called by the worker's thread.
+  void publish_from_worker();
+  void publish();
+  void send_layers(Client& client) const;
+  void broadcast(const std::string& key, const Json& json);
+
+  Post m_post;
+  std::set<std::shared_ptr<Client>> m_clients;
+  Layers m_layers; ///< as published last
+  std::shared_ptr<const std::string> m_state;
+  std::unique_ptr<Session> m_session; ///< the worker's
+  std::int64_t m_published = -1;      ///< the worker's
+  std::unique_ptr<Worker> m_worker;   // last: it uses the others
+};
+
+} // namespace studio
+} // namespace reebquad
+
+#endif // REEBQUAD_STUDIO_HUB_H

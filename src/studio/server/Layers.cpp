@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layers.h"
+
+#include "Skeleton.h"
+
+#include <CGAL/Reeb_quadrangulation/relax_quads.h>
+
+#include <algorithm>
+
+namespace reebquad {
+namespace studio {
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+Frame surface_frame(const Triangle_surface& surface, const Point& origin) {
+  Frame frame("surface");
+  frame.add_points("position", surface.points, origin);
+  frame.add_indices("triangle", surface.triangles);
+  return frame;
+}
+
+Frame field_frame(const std::vector<double>& values) {
+  Frame frame("field");
+  frame.add("value", std::vector<float>(values.begin(), values.end()));
+  return frame;
+}
+
+Frame charts_frame(const Atlas& atlas) {
+  Frame frame("charts");
+  frame.add("chart", std::vector<std::int32_t>(atlas.chart_of_face.begin(), atlas.chart_of_face.end()));
+  return frame;
+}
+
+const char* kind_of(const Contour_network& network, const Contour_edge& edge) {
+  const Node_kind a = network.nodes[edge.from].kind, b = network.nodes[edge.to].kind;
+  if (a == Node_kind::saddle || b == Node_kind::saddle) return "saddle";
+  return a == Node_kind::boundary ? "boundary" : "regular";
+}
+
+Frame contours_frame(const Layer_source& source) {
+  Frame frame("contours");
+  std::vector<Point> points;
+  std::vector<std::uint32_t> begin{0};
+  std::vector<std::int32_t> edges, counts;
+  std::vector<float> values;
+  Json kinds = Json::array();
+  for (std::size_t e = 0; e < source.network->edges.size(); ++e) {
+    const Contour_edge& edge = source.network->edges[e];
+    if (source.network->is_removed(edge)) continue;
+    for (const int v : edge.vertices) points.push_back(source.embedding->surface.points[v]);
+    begin.push_back(std::uint32_t(points.size()));
+    edges.push_back(int(e));
+    counts.push_back(source.counts && e < source.counts->size() ? (*source.counts)[e] : 0);
+    values.push_back(float(edge.value));
+    kinds.push_back(kind_of(*source.network, edge));
+  }
+  frame.add_points("position", points, source.origin);
+  frame.add("begin", begin);
+  frame.add("edge", edges);
+  frame.add("count", counts);
+  frame.add("value", values);
+  frame.data["kind"] = std::move(kinds);
+  return frame;
+}
+
+/// Minima, saddles and maxima: kinds 0, 1 and 2.
+Frame critical_frame(const Layer_source& source) {
+  Frame frame("critical");
+  std::vector<Point> points;
+  std::vector<std::int32_t> vertices;
+  std::vector<std::uint8_t> kinds, multiplicities;
+  const auto add = [&](int vertex, int kind, int multiplicity) {
+    points.push_back(source.embedding->surface.points[vertex]);
+    vertices.push_back(vertex);
+    kinds.push_back(std::uint8_t(kind));
+    multiplicities.push_back(std::uint8_t(std::min(multiplicity, 255)));
+  };
+  for (const int v : source.critical->minima) add(v, 0, 0);
+  for (std::size_t i = 0; i < source.critical->saddles.size(); ++i)
+    add(source.critical->saddles[i], 1, source.critical->multiplicity[i]);
+  for (const int v : source.critical->maxima) add(v, 2, 0);
+  frame.add_points("position", points, source.origin);
+  frame.add("vertex", vertices);
+  frame.add("kind", kinds);
+  frame.add("multiplicity", multiplicities);
+  return frame;
+}
+
+Frame reeb_frame(const Layer_source& source, const std::vector<double>& values) {
+  const Skeleton drawn = skeleton(*source.embedding, *source.network, *source.atlas, *source.graph, values);
+  Frame frame("reeb");
+  std::vector<Point> points;
+  std::vector<std::uint32_t> begin{0};
+  for (const std::vector<Point>& arc : drawn.arcs) {
+    points.insert(points.end(), arc.begin(), arc.end());
+    begin.push_back(std::uint32_t(points.size()));
+  }
+  std::vector<std::uint8_t> is_extremum;
+  for (const int vertex : source.graph->extremum) is_extremum.push_back(vertex >= 0);
+  frame.add_points("position", points, source.origin);
+  frame.add("begin", begin);
+  frame.add_points("node", drawn.nodes, source.origin);
+  frame.add("extremum", is_extremum);
+  return frame;
+}
+
+/// The number of edges of each vertex, and whether it is on the boundary.
+struct Valences {
+  std::vector<int> valence;
+  std::vector<char> is_boundary;
+};
+
+Valences valences(const Quad_mesh& mesh) {
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(4 * mesh.quads.size());
+  for (const Quad& q : mesh.quads)
+    for (int i = 0; i < 4; ++i)
+      edges.push_back({std::min(q[i], q[(i + 1) % 4]), std::max(q[i], q[(i + 1) % 4])});
+  std::sort(edges.begin(), edges.end());
+  Valences result{std::vector<int>(mesh.points.size(), 0), std::vector<char>(mesh.points.size(), false)};
+  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+    while (j < edges.size() && edges[j] == edges[i]) ++j;
+    for (const int v : edges[i]) {
+      ++result.valence[v];
+      if (j == i + 1) result.is_boundary[v] = true;
+    }
+  }
+  return result;
+}
+
+Frame quads_frame(const Layer_source& source) {
+  const Quad_mesh& mesh = *source.quads;
+  Frame frame("quads");
+  std::vector<float> quality;
+  quality.reserve(mesh.quads.size());
+  for (const Quad& q : mesh.quads)
+    quality.push_back(
+        float(scaled_jacobian(mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]])));
+  const Valences all = valences(mesh);
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint8_t> numbers, boundary;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (all.valence[v] == 0 || all.valence[v] == (all.is_boundary[v] ? 3 : 4)) continue;
+    vertices.push_back(std::uint32_t(v));
+    numbers.push_back(std::uint8_t(std::min(all.valence[v], 255)));
+    boundary.push_back(std::uint8_t(all.is_boundary[v]));
+  }
+  frame.add_points("position", mesh.points, source.origin);
+  frame.add_indices("quad", mesh.quads);
+  frame.add("quality", quality);
+  if (source.chart_of_quad)
+    frame.add("chart", std::vector<std::int32_t>(source.chart_of_quad->begin(), source.chart_of_quad->end()));
+  frame.add("irregular_vertex", vertices);
+  frame.add("irregular_valence", numbers);
+  frame.add("irregular_on_boundary", boundary);
+  return frame;
+}
+
+} // namespace
+
+Layers make_layers(const Layer_source& source) {
+  Layers layers;
+  if (source.embedding) {
+    const std::vector<double> values = embedded_values(*source.embedding, *source.network, *source.values);
+    layers["surface"] = surface_frame(source.embedding->surface, source.origin).encode();
+    layers["field"] = field_frame(values).encode();
+    layers["charts"] = charts_frame(*source.atlas).encode();
+    layers["contours"] = contours_frame(source).encode();
+    layers["critical"] = critical_frame(source).encode();
+    layers["reeb"] = reeb_frame(source, values).encode();
+  } else if (source.surface) {
+    layers["surface"] = surface_frame(*source.surface, source.origin).encode();
+  }
+  if (source.quads) layers["quads"] = quads_frame(source).encode();
+  return layers;
+}
+
+} // namespace studio
+} // namespace reebquad

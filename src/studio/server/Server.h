@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_STUDIO_SERVER_H
+#define REEBQUAD_STUDIO_SERVER_H
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace reebquad {
+namespace studio {
+
+/// What the server allows. The defaults suit a person at a browser; tests take smaller ones.
+struct Limits {
+  std::size_t connections = 256;
+  std::size_t header_bytes = 16 << 10;
+  std::uint64_t upload_bytes = std::uint64_t(1) << 30;
+  std::chrono::milliseconds header_time{
+      10000}; ///< for a whole request header, also while a connection is kept
+  std::chrono::milliseconds quiet_time{15000}; ///< within a body, or while an answer is taken
+  std::chrono::milliseconds upload_time{600000};
+  std::chrono::milliseconds socket_idle_time{60000}; ///< pages answer pings within it
+};
+
+/// The studio's HTTP and WebSocket server on the loopback address: one thread for the sockets, one for the work.
+class Server {
+public:
+  /// Listens, on a free port if `port` is 0. Throws `std::system_error` if the port is taken.
+  Server(const std::filesystem::path& folder, unsigned short port, const Limits& limits = {});
+  /// Stops listening, closes all connections and ends the work.
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  unsigned short port() const;
+  /// The address of the page with the token that opens it.
+  std::string url() const;
+  /// Opens a mesh file of the folder, by its name relative to it.
+  void open_file(const std::string& name);
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace studio
+} // namespace reebquad
+
+#endif // REEBQUAD_STUDIO_SERVER_H

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Skeleton.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace reebquad {
+namespace studio {
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+constexpr int bands = 14;
+
+/// The area of triangles and the sum of their centroids by bands of the field, chart by chart.
+struct Bands {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::vector<Point> sum = std::vector<Point>(bands, Point::Zero());
+  std::vector<double> area = std::vector<double>(bands, 0);
+};
+
+std::vector<Bands> measure(const Embedding& embedding, const Atlas& atlas,
+                           const std::vector<double>& values) {
+  const Triangle_surface& surface = embedding.surface;
+  std::vector<Bands> charts(atlas.charts.size());
+  const auto mean = [&](const Triangle& t) { return (values[t[0]] + values[t[1]] + values[t[2]]) / 3; };
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    const int chart = atlas.chart_of_face[f];
+    if (chart < 0) continue;
+    const double value = mean(surface.triangles[f]);
+    charts[chart].low = std::min(charts[chart].low, value);
+    charts[chart].high = std::max(charts[chart].high, value);
+  }
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    const int chart = atlas.chart_of_face[f];
+    if (chart < 0) continue;
+    Bands& b = charts[chart];
+    const Triangle& t = surface.triangles[f];
+    const Point &p = surface.points[t[0]], &q = surface.points[t[1]], &r = surface.points[t[2]];
+    const double part = b.low < b.high ? (mean(t) - b.low) / (b.high - b.low) : 0.5;
+    const int band = std::clamp(int(bands * part), 0, bands - 1);
+    const double weight = (q - p).cross(r - p).norm();
+    b.sum[band] += weight * (p + q + r) / 3;
+    b.area[band] += weight;
+  }
+  return charts;
+}
+
+/// Each inner point moves to the mean of itself and its neighbours, a few times.
+void smooth(std::vector<Point>& line) {
+  for (int round = 0; round < 3; ++round) {
+    const std::vector<Point> old = line;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) line[i] = (old[i - 1] + old[i] + old[i + 1]) / 3;
+  }
+}
+
+std::vector<Point> node_positions(const Embedding& embedding, const Contour_network& network,
+                                  const Reeb_graph& graph) {
+  const std::vector<Point>& points = embedding.surface.points;
+  std::vector<Point> position(graph.number_of_nodes(), Point::Zero());
+  std::vector<int> number(graph.number_of_nodes(), 0);
+  for (std::size_t e = 0; e < network.edges.size(); ++e)
+    for (const int v : network.edges[e].vertices) {
+      position[graph.contour_of_edge[e]] += points[v];
+      ++number[graph.contour_of_edge[e]];
+    }
+  for (int n = 0; n < graph.number_of_nodes(); ++n) {
+    if (graph.extremum[n] >= 0)
+      position[n] = points[graph.extremum[n]];
+    else if (number[n] > 0)
+      position[n] /= number[n];
+  }
+  return position;
+}
+
+} // namespace
+
+Skeleton skeleton(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+                  const Reeb_graph& graph, const std::vector<double>& values) {
+  Skeleton result;
+  result.nodes = node_positions(embedding, network, graph);
+  const std::vector<Bands> charts = measure(embedding, atlas, values);
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    std::vector<Point> line{result.nodes[graph.arcs[c].low]};
+    for (int band = 0; band < bands; ++band)
+      if (charts[c].area[band] > 0) line.push_back(charts[c].sum[band] / charts[c].area[band]);
+    line.push_back(result.nodes[graph.arcs[c].high]);
+    smooth(line);
+    result.arcs.push_back(std::move(line));
+  }
+  return result;
+}
+
+std::vector<double> embedded_values(const Embedding& embedding, const Contour_network& network,
+                                    std::vector<double> values) {
+  values.resize(embedding.surface.points.size(), 0);
+  for (const Contour_edge& edge : network.edges)
+    for (const int v : edge.vertices)
+      if (network.is_crossing(v)) values[v] = edge.value;
+  return values;
+}
+
+} // namespace studio
+} // namespace reebquad

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Store.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
+
+#include <fstream>
+
+namespace reebquad {
+namespace studio {
+
+namespace fs = std::filesystem;
+using CGAL::Reeb_quadrangulation::Error_code;
+using CGAL::Reeb_quadrangulation::make_error;
+using CGAL::Reeb_quadrangulation::write_file_atomically;
+
+namespace {
+
+constexpr int format_version = 1;
+constexpr std::uint64_t largest_session = std::uint64_t(64) << 20;
+constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
+const char* const upload_prefix = "mesh-";
+
+} // namespace
+
+std::string digest(const std::string& bytes) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[hash >> shift & 15];
+  return text;
+}
+
+Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
+  std::error_code failed;
+  const bool regular = fs::is_regular_file(path, failed);
+  const std::uint64_t size = regular ? fs::file_size(path, failed) : 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (failed || !regular || !stream)
+    return make_error(Error_code::unreadable_file, "the file cannot be read");
+  if (size > limit) return make_error(Error_code::unreadable_file, "the file is too large");
+  std::string bytes(std::size_t(size), '\0');
+  stream.read(bytes.data(), std::streamsize(size));
+  if (std::uint64_t(stream.gcount()) != size)
+    return make_error(Error_code::unreadable_file, "the file cannot be read whole");
+  return bytes;
+}
+
+Store::Store(const Folder& folder) : m_user_folder(folder), m_folder(folder.path() / ".reebquad") {}
+
+Result<void> Store::make_folder() const {
+  std::error_code failed;
+  fs::create_directories(m_folder, failed);
+  if (failed || !fs::is_directory(m_folder))
+    return make_error(Error_code::unwritable_file,
+                      "the folder .reebquad, which keeps the session, cannot be made");
+  fs::permissions(m_folder, fs::perms::owner_all, failed);
+  return {};
+}
+
+fs::path Store::upload_path(const Saved_session& session) const {
+  return m_folder / (upload_prefix + session.digest);
+}
+
+Result<void> Store::save(const Saved_session& session) const {
+  if (Result<void> made = make_folder(); !made) return made;
+  const Json json{{"version", format_version}, {"name", session.name},     {"file", session.file},
+                  {"bytes", session.bytes},    {"digest", session.digest}, {"edits", session.edits},
+                  {"applied", session.applied}};
+  Result<void> written = write_file_atomically(
+      (m_folder / "session.json").string(), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (!written) return written;
+  // Only now nothing refers to the uploads of earlier sessions any more.
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, ignored)) {
+    const std::string leaf = entry.path().filename().string();
+    const bool is_upload = leaf.rfind(upload_prefix, 0) == 0;
+    if (is_upload && (!session.file.empty() || entry.path() != upload_path(session)))
+      fs::remove(entry.path(), ignored);
+  }
+  return {};
+}
+
+Result<void> Store::save_upload(const Saved_session& session, const std::string& bytes) const {
+  if (Result<void> made = make_folder(); !made) return made;
+  return write_file_atomically(upload_path(session).string(), bytes);
+}
+
+std::optional<Saved_session> Store::load() const {
+  Result<std::string> text = read_file((m_folder / "session.json").string(), largest_session);
+  if (!text) return std::nullopt;
+  const Json json = Json::parse(*text, nullptr, false);
+  try {
+    if (json.at("version") != format_version) return std::nullopt;
+    Saved_session session;
+    json.at("name").get_to(session.name);
+    json.at("file").get_to(session.file);
+    json.at("bytes").get_to(session.bytes);
+    json.at("digest").get_to(session.digest);
+    session.edits = json.at("edits");
+    json.at("applied").get_to(session.applied);
+    const bool is_digest = session.digest.size() == 16 &&
+                           session.digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!is_digest || !session.edits.is_array() || session.applied < 0 ||
+        session.applied > int(session.edits.size()))
+      return std::nullopt;
+    return session;
+  } catch (const Json::exception&) {
+    return std::nullopt; // not a session of ours: as if there were none
+  }
+}
+
+Result<std::string> Store::load_mesh(const Saved_session& session) const {
+  std::string path = upload_path(session).string();
+  if (!session.file.empty()) {
+    Result<std::string> resolved = m_user_folder.resolve(session.file);
+    if (!resolved) return resolved;
+    path = *resolved;
+  }
+  Result<std::string> bytes = read_file(path, largest_mesh);
+  if (!bytes)
+    return make_error(Error_code::unreadable_file, session.name + ": the mesh of the last session is gone");
+  if (bytes->size() != session.bytes || digest(*bytes) != session.digest)
+    return make_error(Error_code::unreadable_file,
+                      session.name + ": the mesh was changed since the last session");
+  return bytes;
+}
+
+void Store::forget() const {
+  std::error_code ignored;
+  fs::remove(m_folder / "session.json", ignored);
+}
+
+} // namespace studio
+} // namespace reebquad

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page: puts the parts together and carries what one says to the others.
+import * as THREE from "three";
+import { Connection, RequestError } from "./net/connection";
+import type { Edit, State } from "./net/messages";
+import { layerList, switched, views, type LayerId, type ViewId } from "./scene/layers";
+import { Stage } from "./scene/stage";
+import { Viewport } from "./scene/viewport";
+import { Store } from "./store";
+import { SelectTool } from "./tools/select";
+import { ToolBox } from "./tools/tool_box";
+import { designPanel } from "./ui/design_panel";
+import { defectsPanel } from "./ui/defects_panel";
+import { h, icon } from "./ui/dom";
+import { historyPanel } from "./ui/history_panel";
+import { icons } from "./ui/icons";
+import { keyboardHelp, listenToKeys, type Shortcut } from "./ui/keyboard";
+import { layersPanel } from "./ui/layers_panel";
+import { openDialog } from "./ui/open_dialog";
+import { progressBar } from "./ui/progress";
+import { qualityPanel } from "./ui/quality_panel";
+import { statusBar } from "./ui/status_bar";
+import { startTheme } from "./ui/theme";
+import { Toasts } from "./ui/toasts";
+import { welcome } from "./ui/welcome";
+
+export class App {
+  readonly store = new Store();
+  readonly toasts: Toasts;
+  readonly connection: Connection;
+  readonly viewport: Viewport;
+  readonly stage: Stage;
+  readonly tools: ToolBox;
+  private fileName = "";
+  private hadQuads = false;
+
+  constructor(root: HTMLElement) {
+    this.connection = new Connection({
+      state: (state) => this.takeState(state),
+      frame: (frame) => this.stage.take(frame),
+      layerGone: (layer) => this.stage.remove(layer),
+      progress: (stage, fraction) => this.store.set("busy", stage ? { stage, fraction } : null),
+      trouble: (message) => this.toasts.show("That did not work", message, "bad"),
+      connected: (yes) => this.store.set("connected", yes),
+    });
+    const canvasHost = h("div", { className: "canvas" });
+    const overlay = h("div", { className: "overlay" });
+    const openMesh = openDialog(this.connection, (file) => void this.upload(file), (name) => void this.openFile(name));
+    const help = this.makeShell(root, canvasHost, overlay, openMesh);
+    this.toasts = new Toasts(document.body);
+    this.viewport = new Viewport(canvasHost);
+    this.stage = new Stage(this.viewport);
+    this.tools = new ToolBox(this, overlay);
+    this.tools.add(new SelectTool(this));
+    this.tools.choose("select");
+    this.wire(canvasHost, openMesh, help);
+    this.connection.open();
+  }
+
+  /** Sends a request and tells the user if it fails; null then. */
+  async ask(command: string, members: Record<string, unknown> = {}): Promise<unknown> {
+    try {
+      return await this.connection.request(command, members);
+    } catch (error) {
+      this.tell(error);
+      return null;
+    }
+  }
+
+  edit(edit: Edit, live = false): Promise<unknown> {
+    return this.ask("edit", { edit, live });
+  }
+
+  tell(error: unknown): void {
+    if (error instanceof RequestError && error.failure.cancelled) return this.toasts.show("Stopped", "Everything is as it was before.");
+    const message = error instanceof Error ? error.message : String(error);
+    const where = error instanceof RequestError && error.failure.element !== "none" ? ` (${error.failure.element} ${error.failure.index})` : "";
+    this.toasts.show("That did not work", capital(message) + where, "bad");
+  }
+
+  async upload(file: File): Promise<void> {
+    try {
+      this.store.set("busy", { stage: `sending ${file.name}`, fraction: 0 });
+      await this.connection.upload(file);
+    } catch (error) {
+      this.store.set("busy", null);
+      this.tell(error);
+    }
+  }
+
+  openFile(name: string): Promise<unknown> {
+    return this.ask("open_file", { name });
+  }
+
+  async download(what: string, name: string): Promise<void> {
+    try {
+      save(await this.connection.download(what), name);
+      this.toasts.show(`${name} is in your downloads`, "", "good");
+    } catch (error) {
+      this.tell(error);
+    }
+  }
+
+  setView(view: ViewId): void {
+    this.store.set("layers", new Set<LayerId>(views[view].layers));
+  }
+
+  private get baseName(): string {
+    return (this.store.get("state")?.file?.name ?? "mesh").replace(/^.*\//, "").replace(/\.[^.]*$/, "");
+  }
+
+  private takeState(state: State): void {
+    this.store.set("state", state);
+    const name = state.file?.name ?? "";
+    const hasQuads = Boolean(state.statistics);
+    if (name && name !== this.fileName) {
+      this.viewport.fit(this.stage.surface.radius);
+      if (state.file!.mends.length) this.toasts.show("The mesh was mended", state.file!.mends.join(" "));
+      if (state.file!.components > 1) this.toasts.show("There are several parts", `The largest of ${state.file!.components} is worked on.`);
+    }
+    if (hasQuads && !this.hadQuads) this.setView("quads");
+    if (!hasQuads && (this.hadQuads || name !== this.fileName)) this.setView("surface");
+    this.fileName = name;
+    this.hadQuads = hasQuads;
+    if (state.last?.warning) this.toasts.show("Not saved", state.last.warning, "bad");
+  }
+
+  private wire(canvasHost: HTMLElement, openMesh: () => void, help: HTMLButtonElement): void {
+    this.store.watch(["layers"], () => this.stage.show(this.store.get("layers")));
+    this.store.watch(["chart"], () => this.stage.setSelected(this.store.get("chart")));
+    const shortcuts = this.shortcuts(openMesh);
+    const showKeys = keyboardHelp(shortcuts);
+    help.onclick = showKeys;
+    listenToKeys([...shortcuts, { keys: "?", about: "this list", group: "Studio", run: showKeys }]);
+    canvasHost.addEventListener("dblclick", (event) => {
+      const hit = this.stage.surface.pick(this.viewport.ray(event));
+      if (hit) this.viewport.focus(hit.point);
+    });
+    document.addEventListener("dragover", (event) => event.preventDefault());
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.upload(file);
+    });
+  }
+
+  private shortcuts(openMesh: () => void): Shortcut[] {
+    const studio: Shortcut[] = [
+      { keys: "Ctrl+o", about: "open a mesh", group: "Studio", run: openMesh },
+      { keys: "Ctrl+z", about: "undo", group: "Studio", run: () => void this.ask("undo") },
+      { keys: "Ctrl+Shift+z", about: "redo", group: "Studio", run: () => void this.ask("redo") },
+      { keys: "Ctrl+y", about: "redo", group: "Studio", run: () => void this.ask("redo") },
+      { keys: "Ctrl+e", about: "export the quads", group: "Studio", run: () => void this.download("obj", `${this.baseName}_quads.obj`) },
+      { keys: "h", about: "see everything", group: "Camera", run: () => this.viewport.fit(this.stage.surface.radius, true) },
+      { keys: "Escape", about: "stop the tool", group: "Tools", run: () => this.tools.escape() },
+    ];
+    const layers = layerList.map((layer) => ({
+      keys: layer.key, about: layer.name.toLowerCase(), group: "Layers", run: () => this.store.set("layers", switched(this.store.get("layers"), layer.id)),
+    }));
+    return [...studio, ...this.tools.shortcuts(), ...layers];
+  }
+
+  private makeShell(root: HTMLElement, canvasHost: HTMLElement, overlay: HTMLElement, openMesh: () => void): HTMLButtonElement {
+    const help = button(icons.help, "Keys and mouse (?)");
+    const toggleTheme = (): void => this.toggleTheme();
+    const viewButtons = (Object.keys(views) as ViewId[]).map((id) =>
+      h("button", { className: "view", title: views[id].about, "data-view": id, onclick: () => this.setView(id) }, views[id].name),
+    );
+    this.store.watch(["layers", "state"], () => {
+      for (const b of viewButtons) {
+        const view = views[b.dataset.view as ViewId];
+        const layers = this.store.get("layers");
+        const on = view.layers.length === layers.size && view.layers.every((l) => layers.has(l));
+        b.classList.toggle("on", on);
+        b.disabled = b.dataset.view === "surface" ? !this.store.get("state")?.file : !this.store.get("state")?.statistics;
+      }
+    });
+    const format = h("select", { title: "Format of the quads", "aria-label": "Format of the quads", id: "format" }, ...["obj", "off", "ply", "vtk", "glb", "stl"].map((f) => h("option", { value: f }, f.toUpperCase())));
+    const undo = button(icons.undo, "Undo (Ctrl+Z)", () => void this.ask("undo"), "undo");
+    const redo = button(icons.redo, "Redo (Ctrl+Shift+Z)", () => void this.ask("redo"), "redo");
+    const exportQuads = h("button", { id: "export", title: "Export the quads (Ctrl+E)", onclick: () => void this.download(format.value, `${this.baseName}_quads.${format.value}`) }, icon(icons.export), "Export");
+    const saveRecipe = h("button", { id: "recipe", title: "Save the edits as a recipe that reebquad replay repeats", onclick: () => void this.download("recipe", `${this.baseName}.recipe.json`) }, icon(icons.save), "Recipe");
+    this.store.watch(["state"], () => {
+      const state = this.store.get("state");
+      undo.disabled = !state?.applied;
+      redo.disabled = (state?.applied ?? 0) >= (state?.history?.length ?? 0);
+      exportQuads.disabled = format.disabled = !state?.statistics;
+      saveRecipe.disabled = !state?.file;
+    });
+    const top = h(
+      "header", { className: "top" },
+      h("img", { src: "/icon.svg", alt: "", className: "logo" }), h("span", { className: "brand" }, "reebquad ", h("em", {}, "studio")),
+      h("button", { id: "open", title: "Open a mesh (Ctrl+O)", onclick: openMesh }, icon(icons.open), "Open"),
+      undo, redo, h("span", { className: "spring" }), h("nav", { className: "views", "aria-label": "Views" }, ...viewButtons), h("span", { className: "spring" }),
+      saveRecipe, h("span", { className: "joined" }, exportQuads, format),
+      button(icons.camera, "Save a picture", () => void this.screenshot(), "screenshot"), button(icons.theme, "Dark or light", toggleTheme, "theme"), help,
+    );
+    const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
+    const side = h(
+      "aside", { className: "side" },
+      panel("Design", designPanel(this.store, (edit, live) => void this.edit(edit, live))),
+      panel("Layers", layersPanel(this.store)),
+      panel("Quality", qualityPanel(this.store, (bin) => {
+        this.stage.quads.light(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
+        if (bin) this.setView("quality");
+        this.viewport.invalidate();
+      })),
+      panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
+      panel("Findings", defectsPanel(this.store, (where, radius) => this.viewport.focus(new THREE.Vector3(...where), radius)), false),
+    );
+    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), welcome(this.store, openMesh, () => void this.ask("restore")));
+    root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));
+    return help;
+  }
+
+  private toggleTheme = startTheme(() => undefined);
+
+  private async screenshot(): Promise<void> {
+    save(await this.viewport.screenshot(), `${this.baseName}.png`);
+  }
+}
+
+function button(paths: string, title: string, onclick?: () => void, id?: string): HTMLButtonElement {
+  return h("button", { className: "ghost icon-button", title, "aria-label": title, onclick: onclick ?? null, id: id ?? "" }, icon(paths));
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+function save(blob: Blob, name: string): void {
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}

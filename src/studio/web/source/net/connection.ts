@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line to the program: the token's exchange, requests and replies over the WebSocket, uploads and downloads.
+import { decodeFrame, type Frame } from "./frame";
+import type { Edit, Failure, ServerMessage, State } from "./messages";
+
+export class RequestError extends Error {
+  constructor(readonly failure: Failure) {
+    super(failure.message);
+  }
+}
+
+export interface Listener {
+  state(state: State): void;
+  frame(frame: Frame): void;
+  layerGone(layer: string): void;
+  progress(stage: string, fraction: number): void;
+  trouble(message: string): void;
+  connected(yes: boolean): void;
+}
+
+/** Exchanges the token of the address for a cookie, and removes it from the address bar and the history. */
+export async function enter(): Promise<void> {
+  const token = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (!token) return;
+  const answer = await fetch("/api/enter", { method: "POST", body: token });
+  history.replaceState(null, "", "/");
+  if (!answer.ok) throw new Error("The address is of an earlier run of the program. Open the one that it printed last.");
+}
+
+export class Connection {
+  private socket: WebSocket | null = null;
+  private nextId = 1;
+  private attempts = 0;
+  private waiting = new Map<number, { resolve: (value: unknown) => void; reject: (error: Error) => void }>();
+
+  constructor(private readonly listener: Listener) {}
+
+  open(): void {
+    const socket = new WebSocket(`ws://${location.host}/api/socket`);
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => {
+      this.attempts = 0;
+      this.listener.connected(true);
+    };
+    socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => this.take(event.data);
+    socket.onclose = () => this.lost();
+    this.socket = socket;
+  }
+
+  request(command: string, members: Record<string, unknown> = {}): Promise<unknown> {
+    const id = this.nextId++;
+    return new Promise((resolve, reject) => {
+      if (this.socket?.readyState !== WebSocket.OPEN) return reject(new Error("The program does not answer."));
+      this.waiting.set(id, { resolve, reject });
+      this.socket.send(JSON.stringify({ id, command, ...members }));
+    });
+  }
+
+  edit(edit: Edit, live = false): Promise<unknown> {
+    return this.request("edit", { edit, live });
+  }
+
+  async upload(file: File): Promise<void> {
+    const answer = await fetch(`/api/upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+    if (!answer.ok) throw new Error(await sentenceOf(answer));
+  }
+
+  async download(what: string): Promise<Blob> {
+    const answer = await fetch(`/api/download?what=${encodeURIComponent(what)}`);
+    if (!answer.ok) throw new Error(await sentenceOf(answer));
+    return answer.blob();
+  }
+
+  private take(data: string | ArrayBuffer): void {
+    if (data instanceof ArrayBuffer) return this.listener.frame(decodeFrame(data));
+    const message = JSON.parse(data) as ServerMessage;
+    if ("reply" in message) {
+      const entry = this.waiting.get(message.reply);
+      this.waiting.delete(message.reply);
+      if (message.ok) entry?.resolve(message.result);
+      else entry?.reject(new RequestError(message.error));
+    } else if (message.event === "state") this.listener.state(message);
+    else if (message.event === "progress") this.listener.progress(message.stage, message.fraction);
+    else if (message.event === "no_layer") this.listener.layerGone(message.layer);
+    else if (message.event === "trouble") this.listener.trouble(message.message);
+  }
+
+  private lost(): void {
+    this.listener.connected(false);
+    for (const { reject } of this.waiting.values()) reject(new Error("The connection to the program was lost."));
+    this.waiting.clear();
+    const delay = Math.min(5000, 250 * 2 ** this.attempts++);
+    setTimeout(() => this.open(), delay);
+  }
+}
+
+async function sentenceOf(answer: Response): Promise<string> {
+  try {
+    return ((await answer.json()) as { error: string }).error;
+  } catch {
+    return `The program answered ${answer.status}.`;
+  }
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The text messages, as src/studio/protocol.md describes them.
+
+export type Vector = [number, number, number];
+
+export interface Edit {
+  edit: string;
+  [member: string]: unknown;
+}
+
+export interface Failure {
+  code: string;
+  cancelled: boolean;
+  message: string;
+  element: string;
+  index: number;
+}
+
+export interface FileFacts {
+  name: string;
+  points: number;
+  triangles: number;
+  euler_characteristic: number;
+  genus: number;
+  boundary_loops: number;
+  components: number;
+  mends: string[];
+  refused: string[];
+  origin: Vector;
+  diagonal: number;
+  defects: { kind: string; text: string; where: Vector }[];
+}
+
+export interface HistoryStep {
+  text: string;
+  edit: Edit;
+  milliseconds: number;
+}
+
+export interface ChartFacts {
+  id: number;
+  kind: "annulus" | "disc";
+  columns: number;
+  rows: number;
+}
+
+export interface Check {
+  name: string;
+  status: "passed" | "failed" | "not_checked";
+  message: string;
+}
+
+export interface State {
+  event: "state";
+  revision: number;
+  file: FileFacts | null;
+  last: { ok: boolean; text: string; milliseconds?: number; warning?: string } | null;
+  last_session?: { name: string; edits: number };
+  history?: HistoryStep[];
+  applied?: number;
+  facts?: { charts: ChartFacts[]; hints?: Hint[] };
+  budget?: { needed: number; interior: Record<string, number>; boundary: Record<string, number> };
+  certificate?: { passed: boolean; strictly_valid: boolean; checks: Check[]; quads: number; vertices: number };
+  statistics?: {
+    quads: number;
+    vertices: number;
+    inverted_quads: number;
+    scaled_jacobian: { minimum: number; mean: number; maximum: number };
+    scaled_jacobian_histogram: number[];
+  };
+}
+
+export interface Hint {
+  text: string;
+  where?: Vector;
+  edit?: Edit;
+}
+
+export type ServerMessage =
+  | State
+  | { event: "hello"; version: number }
+  | { event: "progress"; stage: string; fraction: number }
+  | { event: "trouble"; message: string }
+  | { event: "no_layer"; layer: string }
+  | { reply: number; ok: true; result: unknown }
+  | { reply: number; ok: false; error: Failure };

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shaders: clay lit from the eye and from above, and markers of constant size on the screen.
+import * as THREE from "three";
+
+const light = /* glsl */ `
+  vec3 lit(vec3 colour, vec3 normal, vec3 toEye) {
+    vec3 n = normalize(normal);
+    if (!gl_FrontFacing) n = -n;
+    float key = max(dot(n, normalize(vec3(-0.45, 0.75, 0.55))), 0.0);
+    float fill = max(dot(n, normalize(vec3(0.7, -0.15, 0.6))), 0.0);
+    float head = max(dot(n, toEye), 0.0);
+    float sky = 0.5 + 0.5 * n.y;
+    vec3 half_ = normalize(normalize(vec3(-0.45, 0.75, 0.55)) + toEye);
+    float gloss = pow(max(dot(n, half_), 0.0), 40.0);
+    vec3 result = colour * (0.26 + 0.16 * sky + 0.42 * key + 0.12 * fill + 0.2 * head) + vec3(0.06 * gloss);
+    if (!gl_FrontFacing) result *= vec3(0.62, 0.55, 0.55);
+    return result;
+  }`;
+
+export enum SurfaceColour {
+  plain = 0,
+  field = 1,
+  charts = 2,
+}
+
+export function surfaceMaterial(): THREE.ShaderMaterial {
+  return new THREE.ShaderMaterial({
+    uniforms: {
+      mode: { value: SurfaceColour.plain },
+      clay: { value: new THREE.Vector3(0.82, 0.79, 0.74) },
+      isolines: { value: 0 },
+      lowest: { value: 0 },
+      highest: { value: 1 },
+      opacity: { value: 1 },
+      hovered: { value: -1 },
+      selected: { value: -1 },
+      accent: { value: new THREE.Vector3(0.37, 0.7, 1) },
+    },
+    vertexShader: /* glsl */ `
+      attribute float field;
+      attribute float chart;
+      attribute vec3 chartColour;
+      varying float vField;
+      varying float vChart;
+      varying vec3 vColour;
+      varying vec3 vNormal2;
+      varying vec3 vPosition;
+      void main() {
+        vField = field;
+        vChart = chart;
+        vColour = chartColour;
+        vNormal2 = normalMatrix * normal;
+        vec4 p = modelViewMatrix * vec4(position, 1.0);
+        vPosition = p.xyz;
+        gl_Position = projectionMatrix * p;
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform int mode;
+      uniform vec3 clay;
+      uniform float isolines, lowest, highest, opacity, hovered, selected;
+      uniform vec3 accent;
+      varying float vField;
+      varying float vChart;
+      varying vec3 vColour;
+      varying vec3 vNormal2;
+      varying vec3 vPosition;
+      ${light}
+      vec3 fieldColour(float t) {
+        vec3 a = vec3(0.184, 0.388, 0.710), b = vec3(0.498, 0.698, 0.867), c = vec3(0.937, 0.902, 0.824);
+        vec3 d = vec3(0.933, 0.604, 0.420), e = vec3(0.722, 0.196, 0.184);
+        float x = clamp(t, 0.0, 1.0) * 4.0;
+        return x < 1.0 ? mix(a, b, x) : x < 2.0 ? mix(b, c, x - 1.0) : x < 3.0 ? mix(c, d, x - 2.0) : mix(d, e, x - 3.0);
+      }
+      void main() {
+        vec3 toEye = normalize(-vPosition);
+        float t = (vField - lowest) / max(highest - lowest, 1e-12);
+        vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? vColour : clay;
+        if (isolines > 0.0) {
+          float s = t * isolines;
+          float width = fwidth(s);
+          float distance_ = abs(fract(s - 0.5) - 0.5) / max(width, 1e-6);
+          float line = (1.0 - smoothstep(0.5, 1.5, distance_)) * (1.0 - smoothstep(0.25, 0.6, width));
+          colour = mix(colour, vec3(0.13, 0.12, 0.15), 0.62 * line);
+        }
+        if (selected >= 0.0 && abs(vChart - selected) < 0.5) colour = mix(colour, accent, 0.42);
+        else if (hovered >= 0.0 && abs(vChart - hovered) < 0.5) colour = mix(colour, vec3(1.0), 0.28);
+        float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
+        float alpha = opacity < 1.0 ? clamp(opacity + 0.55 * rim * rim, 0.0, 1.0) : 1.0;
+        gl_FragColor = vec4(lit(colour, vNormal2, toEye), alpha);
+      }`,
+    side: THREE.DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1.5,
+    polygonOffsetUnits: 2,
+  });
+}
+
+export function quadMaterial(): THREE.ShaderMaterial {
+  return new THREE.ShaderMaterial({
+    uniforms: { opacity: { value: 1 } },
+    vertexShader: /* glsl */ `
+      attribute vec3 colour;
+      varying vec3 vColour, vNormal2, vPosition;
+      void main() {
+        vColour = colour;
+        vNormal2 = normalMatrix * normal;
+        vec4 p = modelViewMatrix * vec4(position, 1.0);
+        vPosition = p.xyz;
+        gl_Position = projectionMatrix * p;
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform float opacity;
+      varying vec3 vColour, vNormal2, vPosition;
+      ${light}
+      void main() {
+        vec3 toEye = normalize(-vPosition);
+        float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
+        float alpha = opacity < 1.0 ? clamp(opacity + 0.5 * rim * rim, 0.0, 1.0) : 1.0;
+        gl_FragColor = vec4(lit(vColour, vNormal2, toEye), alpha);
+      }`,
+    side: THREE.DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1.5,
+    polygonOffsetUnits: 2,
+  });
+}
+
+/** Shapes of markers: regular polygons with that number of corners, a disc, and special signs. */
+export enum Shape {
+  disc = 0,
+  triangleUp = -1,
+  triangleDown = -2,
+  diamond = -3,
+}
+
+export function markerMaterial(): THREE.ShaderMaterial {
+  return new THREE.ShaderMaterial({
+    uniforms: { size: { value: 14 }, ratio: { value: 1 }, border: { value: new THREE.Vector3(0.07, 0.08, 0.1) } },
+    vertexShader: /* glsl */ `
+      uniform float size, ratio;
+      attribute vec3 colour;
+      attribute float shape;
+      attribute float scale;
+      varying vec3 vColour;
+      varying float vShape;
+      void main() {
+        vColour = colour;
+        vShape = shape;
+        vec4 p = modelViewMatrix * vec4(position, 1.0);
+        p.xyz *= 0.992; // before the surface that it lies on
+        gl_Position = projectionMatrix * p;
+        gl_PointSize = size * scale * ratio;
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform vec3 border;
+      varying vec3 vColour;
+      varying float vShape;
+      float polygon(vec2 p, float corners, float turn) {
+        float part = 6.2831853 / corners;
+        float angle = atan(p.x, p.y) + turn;
+        return cos(floor(0.5 + angle / part) * part - angle) * length(p);
+      }
+      void main() {
+        vec2 p = 2.0 * vec2(gl_PointCoord.x, 1.0 - gl_PointCoord.y) - 1.0;
+        float d = length(p);
+        float inside = 0.9;
+        if (vShape > 2.5) { d = polygon(p, vShape, 3.14159265 / vShape * (mod(vShape, 2.0) < 0.5 ? 1.0 : 1.0)); inside = 0.86 * cos(3.14159265 / vShape) + 0.06; }
+        else if (vShape < -2.5) { d = abs(p.x) + abs(p.y); }
+        else if (vShape < -1.5) { d = polygon(p - vec2(0.0, 0.2), 3.0, 0.0); inside = 0.5; }
+        else if (vShape < -0.5) { d = polygon(p + vec2(0.0, 0.2), 3.0, 3.14159265); inside = 0.5; }
+        float soft = fwidth(d);
+        float alpha = 1.0 - smoothstep(inside - soft, inside, d);
+        if (alpha < 0.02) discard;
+        float rim = smoothstep(inside - 0.24 - soft, inside - 0.24 + soft, d);
+        gl_FragColor = vec4(mix(vColour, border, 0.85 * rim), alpha);
+      }`,
+    transparent: true,
+    depthWrite: false,
+  });
+}

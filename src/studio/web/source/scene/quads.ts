@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The quad mesh: faces, edges, and markers at the vertices whose valence is not regular.
+import * as THREE from "three";
+import { bytesOf, floats, indices, integers, type Frame } from "../net/frame";
+import { chartColour, qualityColour, valenceColour, type Rgb } from "./colours";
+import { Lines, markers } from "./lines";
+import { markerMaterial, quadMaterial } from "./materials";
+import { vertexNormals } from "./surface";
+
+export type QuadColour = "plain" | "quality" | "charts";
+
+export class Quads {
+  readonly group = new THREE.Group();
+  readonly edges = new Lines(1.3, 0x1d2026, { opacity: 0.9 });
+  readonly faces = new THREE.Mesh(new THREE.BufferGeometry(), quadMaterial());
+  positions = new Float32Array();
+  corners = new Uint32Array();
+  quality = new Float32Array();
+  private charts = new Int32Array();
+  private irregular: THREE.Points | null = null;
+  private readonly markerMaterial = markerMaterial();
+  private lit: ((quality: number) => boolean) | null = null;
+  private colour: QuadColour = "plain";
+  plain: Rgb = [0.88, 0.86, 0.82];
+
+  constructor() {
+    this.faces.frustumCulled = false;
+    this.edges.object.renderOrder = 1;
+    this.markerMaterial.uniforms.size!.value = 15;
+    this.markerMaterial.uniforms.ratio!.value = Math.min(devicePixelRatio, 2);
+    this.group.add(this.faces, this.edges.object);
+  }
+
+  get isEmpty(): boolean {
+    return this.corners.length === 0;
+  }
+
+  clear(): void {
+    this.corners = new Uint32Array();
+    this.show(false, false);
+  }
+
+  set(frame: Frame): void {
+    this.positions = floats(frame, "position") as Float32Array<ArrayBuffer>;
+    this.corners = indices(frame, "quad") as Uint32Array<ArrayBuffer>;
+    this.quality = floats(frame, "quality") as Float32Array<ArrayBuffer>;
+    this.charts = integers(frame, "chart") as Int32Array<ArrayBuffer>;
+    this.makeFaces();
+    this.makeEdges();
+    this.makeMarkers(indices(frame, "irregular_vertex"), bytesOf(frame, "irregular_valence"), bytesOf(frame, "irregular_on_boundary"));
+    this.paint();
+  }
+
+  setColour(colour: QuadColour): void {
+    this.colour = colour;
+    this.paint();
+  }
+
+  /** Lets only the quads shine whose quality passes; null: all. */
+  light(lit: ((quality: number) => boolean) | null): void {
+    this.lit = lit;
+    this.paint();
+  }
+
+  show(faces: boolean, valences: boolean): void {
+    this.faces.visible = faces && !this.isEmpty;
+    this.edges.show(faces && !this.isEmpty);
+    if (this.irregular) this.irregular.visible = valences && !this.isEmpty;
+  }
+
+  setXray(on: boolean): void {
+    const material = this.faces.material;
+    material.uniforms.opacity!.value = on ? 0.12 : 1;
+    material.transparent = on;
+    material.depthWrite = !on;
+    material.needsUpdate = true;
+    this.markerMaterial.depthTest = !on;
+  }
+
+  private makeFaces(): void {
+    const number = this.corners.length / 4;
+    const triangles = new Uint32Array(6 * number);
+    for (let q = 0; q < number; ++q) [0, 1, 2, 0, 2, 3].forEach((c, i) => (triangles[6 * q + i] = this.corners[4 * q + c]!));
+    const normals = vertexNormals(this.positions, triangles);
+    const positions = new Float32Array(18 * number), spreadNormals = new Float32Array(18 * number);
+    for (let i = 0; i < triangles.length; ++i)
+      for (let k = 0; k < 3; ++k) {
+        positions[3 * i + k] = this.positions[3 * triangles[i]! + k]!;
+        spreadNormals[3 * i + k] = normals[3 * triangles[i]! + k]!;
+      }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(spreadNormals, 3));
+    geometry.setAttribute("colour", new THREE.BufferAttribute(new Uint8Array(18 * number), 3, true));
+    this.faces.geometry.dispose();
+    this.faces.geometry = geometry;
+  }
+
+  private makeEdges(): void {
+    const points = this.positions.length / 3;
+    const seen = new Set<number>(), pairs: number[] = [];
+    for (let q = 0; q < this.corners.length; q += 4)
+      for (let i = 0; i < 4; ++i) {
+        const a = this.corners[q + i]!, b = this.corners[q + ((i + 1) % 4)]!;
+        const key = Math.min(a, b) * points + Math.max(a, b);
+        if (seen.has(key)) continue;
+        seen.add(key);
+        for (const v of [a, b]) for (let k = 0; k < 3; ++k) pairs.push(this.positions[3 * v + k]!);
+      }
+    this.edges.set(new Float32Array(pairs));
+  }
+
+  private makeMarkers(vertices: Uint32Array, valences: Uint8Array, onBoundary: Uint8Array): void {
+    if (this.irregular) {
+      this.group.remove(this.irregular);
+      this.irregular.geometry.dispose();
+    }
+    const points = new Float32Array(3 * vertices.length), colours: Rgb[] = [], shapes: number[] = [], scales: number[] = [];
+    vertices.forEach((v, i) => {
+      for (let k = 0; k < 3; ++k) points[3 * i + k] = this.positions[3 * v + k]!;
+      colours.push(valenceColour(valences[i]!, onBoundary[i]! > 0));
+      shapes.push(Math.min(Math.max(valences[i]!, 3), 12)); // as many corners as edges
+      scales.push(valences[i]! >= 6 || valences[i]! === 2 ? 1.25 : 1);
+    });
+    this.irregular = markers(this.markerMaterial, points, colours, shapes, scales);
+    this.irregular.renderOrder = 5;
+    this.group.add(this.irregular);
+  }
+
+  private paint(): void {
+    const attribute = this.faces.geometry.getAttribute("colour") as THREE.BufferAttribute | undefined;
+    if (!attribute) return;
+    for (let q = 0; q < this.quality.length; ++q) {
+      const colour = this.colourOf(q);
+      for (let corner = 6 * q; corner < 6 * q + 6; ++corner) attribute.setXYZ(corner, colour[0], colour[1], colour[2]);
+    }
+    attribute.needsUpdate = true;
+  }
+
+  private colourOf(q: number): Rgb {
+    const quality = this.quality[q]!;
+    if (this.lit) return this.lit(quality) ? [1, 0.62, 0.15] : [0.45, 0.46, 0.48];
+    if (this.colour === "quality") return qualityColour(quality);
+    if (this.colour === "charts") return chartColour(this.charts[q] ?? -1);
+    return this.plain;
+  }
+}

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that is drawn: takes the program's layers and shows those that are turned on.
+import * as THREE from "three";
+import { bytesOf, floats, indices, integers, type Frame } from "../net/frame";
+import { criticalColours } from "./colours";
+import type { LayerId } from "./layers";
+import { Lines, markers, polylinePairs } from "./lines";
+import { markerMaterial, Shape, SurfaceColour } from "./materials";
+import { Quads } from "./quads";
+import { Surface } from "./surface";
+import type { Viewport } from "./viewport";
+
+export interface CriticalPoint {
+  vertex: number;
+  kind: 0 | 1 | 2;
+  multiplicity: number;
+  position: THREE.Vector3;
+}
+
+export interface Contour {
+  edge: number;
+  kind: string;
+  count: number;
+  points: THREE.Vector3[];
+}
+
+const contourWidth = 3.2;
+
+export class Stage {
+  readonly surface = new Surface();
+  readonly quads = new Quads();
+  readonly contourLines = new Lines(contourWidth, 0x16181d);
+  readonly chosenContour = new Lines(5, 0xffb454, { hidden: true });
+  readonly reebLines = new Lines(4.5, 0x2f7de0, { hidden: true });
+  critical: CriticalPoint[] = [];
+  contours: Contour[] = [];
+  shown: ReadonlySet<LayerId> = new Set(["surface"]);
+  private criticalPoints: THREE.Points | null = null;
+  private reebNodes: THREE.Points | null = null;
+  private readonly criticalMaterial = markerMaterial();
+  private readonly nodeMaterial = markerMaterial();
+
+  constructor(readonly viewport: Viewport) {
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.criticalMaterial.uniforms.size!.value = 20;
+    this.criticalMaterial.uniforms.ratio!.value = ratio;
+    this.nodeMaterial.uniforms.size!.value = 13;
+    this.nodeMaterial.uniforms.ratio!.value = ratio;
+    this.nodeMaterial.depthTest = false;
+    this.contourLines.object.renderOrder = 2;
+    this.reebLines.object.renderOrder = 7;
+    this.chosenContour.object.renderOrder = 6;
+    viewport.scene.add(
+      this.surface.mesh, this.quads.group, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+    );
+  }
+
+  /** Takes a layer of the program. */
+  take(frame: Frame): void {
+    if (frame.layer === "surface") this.surface.setSurface(frame);
+    else if (frame.layer === "field") this.surface.setField(frame);
+    else if (frame.layer === "charts") this.surface.setCharts(frame);
+    else if (frame.layer === "contours") this.setContours(frame);
+    else if (frame.layer === "critical") this.setCritical(frame);
+    else if (frame.layer === "reeb") this.setReeb(frame);
+    else if (frame.layer === "quads") this.quads.set(frame);
+    this.show(this.shown);
+  }
+
+  remove(layer: string): void {
+    if (layer === "quads") this.quads.clear();
+    if (layer === "contours") this.clearContours();
+    if (layer === "critical") this.removePoints("criticalPoints");
+    if (layer === "reeb") {
+      this.reebLines.set(new Float32Array());
+      this.removePoints("reebNodes");
+    }
+    this.show(this.shown);
+  }
+
+  show(shown: ReadonlySet<LayerId>): void {
+    this.shown = shown;
+    const on = (layer: LayerId): boolean => shown.has(layer);
+    const colour = on("charts") ? SurfaceColour.charts : on("field") ? SurfaceColour.field : SurfaceColour.plain;
+    this.surface.mesh.visible = !this.surface.isEmpty && (on("surface") || (this.quads.isEmpty && on("quads")));
+    this.surface.setColour(colour, on("isolines") ? 40 : 0);
+    const seeThrough = on("xray") || on("reeb");
+    this.surface.setXray(seeThrough);
+    this.quads.setXray(seeThrough);
+    this.quads.setColour(on("quality") ? "quality" : on("charts") ? "charts" : "plain");
+    this.quads.show(on("quads"), on("valences"));
+    this.contourLines.show(on("contours"));
+    this.contourLines.setXray(seeThrough);
+    this.reebLines.show(on("reeb"));
+    if (this.criticalPoints) this.criticalPoints.visible = on("critical");
+    this.criticalMaterial.depthTest = !seeThrough;
+    if (this.reebNodes) this.reebNodes.visible = on("reeb");
+    this.viewport.invalidate();
+  }
+
+  setHovered(chart: number): void {
+    this.surface.material.uniforms.hovered!.value = chart;
+    this.viewport.invalidate();
+  }
+  setSelected(chart: number): void {
+    this.surface.material.uniforms.selected!.value = chart;
+    this.viewport.invalidate();
+  }
+
+  /** The critical point whose sign is within `pixels` of the pointer. */
+  criticalAt(event: { clientX: number; clientY: number }, pixels = 14): CriticalPoint | null {
+    let best: CriticalPoint | null = null, nearest = pixels;
+    for (const point of this.critical) {
+      const at = this.viewport.project(point.position);
+      const d = Math.hypot(at.x - event.clientX, at.y - event.clientY);
+      if (at.visible && d < nearest && this.isInSight(point.position)) [nearest, best] = [d, point];
+    }
+    return best;
+  }
+
+  /** The contour within `pixels` of the pointer, the nearest to the eye's ray. */
+  contourAt(event: { clientX: number; clientY: number }, pixels = 10): Contour | null {
+    let best: Contour | null = null, nearest = pixels;
+    for (const contour of this.contours)
+      for (const p of contour.points) {
+        const at = this.viewport.project(p);
+        const d = Math.hypot(at.x - event.clientX, at.y - event.clientY);
+        if (at.visible && d < nearest && this.isInSight(p)) [nearest, best] = [d, contour];
+      }
+    return best;
+  }
+
+  choose(contour: Contour | null): void {
+    const pairs: number[] = [];
+    if (contour)
+      for (let i = 0; i + 1 < contour.points.length; ++i) pairs.push(...contour.points[i]!.toArray(), ...contour.points[i + 1]!.toArray());
+    this.chosenContour.set(new Float32Array(pairs));
+    this.chosenContour.show(contour !== null);
+    this.viewport.invalidate();
+  }
+
+  private isInSight(point: THREE.Vector3): boolean {
+    const eye = this.viewport.camera.position;
+    const ray = new THREE.Raycaster(eye, point.clone().sub(eye).normalize());
+    const hit = this.surface.pick(ray);
+    return !hit || hit.point.distanceTo(eye) > point.distanceTo(eye) - 0.02 * this.surface.radius;
+  }
+
+  private setContours(frame: Frame): void {
+    const points = floats(frame, "position"), begin = indices(frame, "begin");
+    this.contourLines.set(polylinePairs(points, begin));
+    const edges = integers(frame, "edge"), counts = integers(frame, "count"), kinds = frame.data.kind as string[];
+    this.contours = Array.from(edges, (edge, i) => {
+      const line: THREE.Vector3[] = [];
+      for (let p = begin[i]!; p < begin[i + 1]!; ++p) line.push(new THREE.Vector3().fromArray(points, 3 * p));
+      return { edge, kind: kinds[i] ?? "regular", count: counts[i] ?? 0, points: line };
+    });
+    this.choose(null);
+  }
+
+  private clearContours(): void {
+    this.contours = [];
+    this.contourLines.set(new Float32Array());
+    this.choose(null);
+  }
+
+  private setCritical(frame: Frame): void {
+    const points = floats(frame, "position") as Float32Array<ArrayBuffer>, kinds = bytesOf(frame, "kind");
+    const vertices = integers(frame, "vertex"), multiplicities = bytesOf(frame, "multiplicity");
+    this.critical = Array.from(vertices, (vertex, i) => ({
+      vertex, kind: kinds[i] as 0 | 1 | 2, multiplicity: multiplicities[i]!, position: new THREE.Vector3().fromArray(points, 3 * i),
+    }));
+    this.removePoints("criticalPoints");
+    const shapes = [Shape.triangleDown, Shape.diamond, Shape.triangleUp];
+    this.criticalPoints = markers(
+      this.criticalMaterial, points, Array.from(kinds, (k) => criticalColours[k]!), Array.from(kinds, (k) => shapes[k]!),
+      Array.from(kinds, (k) => (k === 1 ? 0.85 : 1.1)),
+    );
+    this.criticalPoints.renderOrder = 6;
+    this.viewport.scene.add(this.criticalPoints);
+  }
+
+  private setReeb(frame: Frame): void {
+    const points = floats(frame, "position"), begin = indices(frame, "begin");
+    this.reebLines.set(polylinePairs(points, begin));
+    const nodes = floats(frame, "node") as Float32Array<ArrayBuffer>, extremum = bytesOf(frame, "extremum");
+    this.removePoints("reebNodes");
+    this.reebNodes = markers(
+      this.nodeMaterial, nodes, Array.from(extremum, (e) => (e ? [1, 0.62, 0.2] : [0.95, 0.96, 0.98])),
+      Array.from(extremum, () => Shape.disc), Array.from(extremum, (e) => (e ? 1.1 : 0.9)),
+    );
+    this.reebNodes.renderOrder = 8;
+    this.viewport.scene.add(this.reebNodes);
+  }
+
+  private removePoints(which: "criticalPoints" | "reebNodes"): void {
+    const points = this[which];
+    if (!points) return;
+    this.viewport.scene.remove(points);
+    points.geometry.dispose();
+    this[which] = null;
+    if (which === "criticalPoints" && !points.visible) this.viewport.invalidate();
+  }
+}

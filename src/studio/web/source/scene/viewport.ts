@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The canvas: camera, render on demand, and the rays of the pointer.
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+export interface Theme {
+  top: string;
+  bottom: string;
+}
+
+export class Viewport {
+  readonly scene = new THREE.Scene();
+  readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
+  readonly renderer: THREE.WebGLRenderer;
+  readonly controls: OrbitControls;
+  /** Called after the size changed; lines of constant width need it. */
+  readonly onResize: ((width: number, height: number) => void)[] = [];
+  private wanted = true;
+  private radius = 1;
+  private flight: { from: THREE.Vector3; to: THREE.Vector3; eyeFrom: THREE.Vector3; eyeTo: THREE.Vector3; start: number } | null = null;
+
+  constructor(readonly host: HTMLElement) {
+    THREE.ColorManagement.enabled = false;
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    host.append(this.renderer.domElement);
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.zoomToCursor = true;
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.18;
+    this.controls.zoomSpeed = 1.4;
+    this.controls.addEventListener("change", () => this.invalidate());
+    this.renderer.domElement.tabIndex = 0;
+    this.renderer.domElement.setAttribute("aria-label", "The surface in space");
+    new ResizeObserver(() => this.resize()).observe(host);
+    this.resize();
+    const tick = (time: number): void => {
+      this.frame(time);
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.renderer.domElement;
+  }
+
+  /** Asks for a new picture. */
+  invalidate(): void {
+    this.wanted = true;
+  }
+
+  /** Sees the whole of a thing of that radius around the origin, from the front and a little from above. */
+  fit(radius: number, keepDirection = false): void {
+    this.radius = radius;
+    const direction = keepDirection
+      ? this.camera.position.clone().sub(this.controls.target).normalize()
+      : new THREE.Vector3(0.55, 0.35, 1).normalize();
+    const narrow = Math.min(1, this.camera.aspect);
+    const distance = (1.08 * radius) / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2)) / narrow;
+    this.fly(new THREE.Vector3(), direction.multiplyScalar(distance), keepDirection);
+    this.camera.near = distance / 400;
+    this.camera.far = distance * 20;
+    this.camera.updateProjectionMatrix();
+    this.controls.minDistance = radius / 200;
+    this.controls.maxDistance = radius * 15;
+  }
+
+  setUp(up: THREE.Vector3): void {
+    this.camera.up.copy(up);
+    // The controls read the camera's up only when they are made; a turn of the quaternion is what they keep.
+    const controls = this.controls as unknown as { _quat: THREE.Quaternion; _quatInverse: THREE.Quaternion };
+    controls._quat.setFromUnitVectors(up, new THREE.Vector3(0, 1, 0));
+    controls._quatInverse.copy(controls._quat).invert();
+    this.fit(this.radius);
+  }
+
+  /** Turns around that point from now on, and comes a little closer. */
+  focus(point: THREE.Vector3, distance?: number): void {
+    const eye = this.camera.position.clone().sub(this.controls.target);
+    eye.setLength(distance ?? Math.max(eye.length() * 0.6, this.radius * 0.35));
+    this.fly(point, eye, true);
+  }
+
+  private fly(target: THREE.Vector3, offset: THREE.Vector3, smooth: boolean): void {
+    const eye = target.clone().add(offset);
+    if (!smooth || matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.controls.target.copy(target);
+      this.camera.position.copy(eye);
+      this.controls.update();
+      this.invalidate();
+      return;
+    }
+    this.flight = {
+      from: this.controls.target.clone(), to: target.clone(), eyeFrom: this.camera.position.clone(), eyeTo: eye, start: performance.now(),
+    };
+    this.invalidate();
+  }
+
+  ray(event: { clientX: number; clientY: number }): THREE.Raycaster {
+    const box = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(
+      (2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height,
+    );
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(at, this.camera);
+    return caster;
+  }
+
+  /** Where a point is on the screen, in pixels of the page. */
+  project(point: THREE.Vector3): { x: number; y: number; visible: boolean } {
+    const p = point.clone().project(this.camera);
+    const box = this.canvas.getBoundingClientRect();
+    return { x: box.left + ((p.x + 1) / 2) * box.width, y: box.top + ((1 - p.y) / 2) * box.height, visible: p.z < 1 };
+  }
+
+  /** The picture as a PNG file. */
+  screenshot(): Promise<Blob> {
+    this.renderer.render(this.scene, this.camera);
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The browser makes no picture."))), "image/png");
+    });
+  }
+
+  private resize(): void {
+    const width = Math.max(this.host.clientWidth, 1), height = Math.max(this.host.clientHeight, 1);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    for (const listener of this.onResize) listener(width, height);
+    this.invalidate();
+  }
+
+  private frame(time: number): void {
+    if (this.flight) this.advance(time);
+    this.controls.update();
+    if (!this.wanted) return;
+    this.wanted = false;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private advance(time: number): void {
+    const flight = this.flight!;
+    const t = Math.min(Math.max((time - flight.start) / 320, 0), 1);
+    const s = 1 - (1 - t) ** 3;
+    this.controls.target.lerpVectors(flight.from, flight.to, s);
+    this.camera.position.lerpVectors(flight.eyeFrom, flight.eyeTo, s);
+    if (t >= 1) this.flight = null;
+    this.invalidate();
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parts of the page share, and how they learn that it changed.
+import type { State } from "./net/messages";
+import type { LayerId } from "./scene/layers";
+
+export interface Shared {
+  state: State | null;
+  layers: ReadonlySet<LayerId>;
+  connected: boolean;
+  busy: { stage: string; fraction: number } | null;
+  /** The chart that is looked at, or -1. */
+  chart: number;
+  tool: string;
+}
+
+export type Key = keyof Shared;
+
+export class Store {
+  private readonly values: Shared = {
+    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, chart: -1, tool: "select",
+  };
+  private readonly listeners = new Map<Key, ((...unused: never[]) => void)[]>();
+
+  get<K extends Key>(key: K): Shared[K] {
+    return this.values[key];
+  }
+
+  set<K extends Key>(key: K, value: Shared[K]): void {
+    if (this.values[key] === value) return;
+    this.values[key] = value;
+    for (const listener of this.listeners.get(key) ?? []) listener();
+  }
+
+  /** Calls the listener now and whenever one of the values changes. */
+  watch(keys: Key[], listener: () => void): void {
+    for (const key of keys) this.listeners.set(key, [...(this.listeners.get(key) ?? []), listener]);
+    listener();
+  }
+}

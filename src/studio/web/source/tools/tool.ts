@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** A tool takes the pointer on the surface. The camera stays usable: what a tool does not claim, turns the view. */
+export interface Tool {
+  readonly id: string;
+  readonly name: string;
+  readonly key: string;
+  readonly icon: string;
+  /** What to do now, in one line. */
+  hint(): string;
+  begin?(): void;
+  end?(): void;
+  /** The pointer moves with no button down. */
+  hover?(event: PointerEvent): void;
+  /** A click that was no drag. */
+  click?(event: PointerEvent): void;
+  /** A button goes down; true claims the drag that follows. */
+  press?(event: PointerEvent): boolean;
+  drag?(event: PointerEvent): void;
+  release?(event: PointerEvent): void;
+  /** A key while the tool is active; true if it was meant for the tool. */
+  key_?(event: KeyboardEvent): boolean;
+  /** The shown data changed. */
+  refresh?(): void;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paths of the icons, drawn for this page on a 24 x 24 grid.
+export const icons = {
+  open: "M3 7h6l2 2h10v10H3z M12 17v-5 M9.5 14.5 12 12l2.5 2.5",
+  save: "M5 4h11l3 3v13H5z M8 4v5h7V4 M8 20v-6h8v6",
+  export: "M12 4v11 M8 8l4-4 4 4 M5 14v6h14v-6",
+  undo: "M8 6 4 10l4 4 M4 10h9a6 6 0 0 1 0 12h-2",
+  redo: "M16 6l4 4-4 4 M20 10h-9a6 6 0 0 0 0 12h2",
+  select: "M6 3l12 9-6 1-3 6z",
+  extremum: "M12 4l7 14H5z M12 9v4",
+  plane: "M3 15l9-7 9 4-9 8z M12 8V3 M10 5l2-2 2 2",
+  subdivide: "M4 6c5 3 11 3 16 0 M4 12c5 3 11 3 16 0 M4 18c5 3 11 3 16 0",
+  saddle: "M4 6c4 8 4 8 0 12 M20 6c-4 8-4 8 0 12 M7 12h10",
+  pole: "M12 4v16 M4 12h16 M6 6l12 12 M18 6 6 18",
+  align: "M3 12h18 M7 7v10 M17 7v10",
+  collapse: "M4 5h16 M4 19h16 M12 7v4 M10 9l2 2 2-2 M12 17v-4 M10 15l2-2 2 2",
+  remove: "M5 7h14 M9 7V4h6v3 M7 7l1 13h8l1-13",
+  camera: "M4 8h4l2-3h4l2 3h4v11H4z M12 10a3.5 3.5 0 1 0 .01 0z",
+  theme: "M12 4a8 8 0 1 0 0 16z M12 4a8 8 0 0 1 0 16",
+  help: "M9 9a3 3 0 1 1 4 3c-1 .5-1 1-1 2 M12 17.5v.5",
+  eye: "M2 12c5-8 15-8 20 0-5 8-15 8-20 0z M12 9a3 3 0 1 0 .01 0z",
+  magic: "M5 19 15 9 M17 4v4 M15 6h4 M19 12v3 M17.5 13.5h3 M8 4v3 M6.5 5.5h3",
+  fit: "M4 9V4h5 M15 4h5v5 M20 15v5h-5 M9 20H4v-5",
+  check: "M5 12l5 5 9-11",
+  close: "M6 6l12 12 M18 6 6 18",
+} as const;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { State } from "../net/messages";
+import type { Store } from "../store";
+import { h, readable, replace } from "./dom";
+import { time } from "./history_panel";
+
+/** The line below: what is open, how many quads, whether they are certified, and the index budget. */
+export function statusBar(store: Store, certify: () => void): HTMLElement {
+  const bar = h("footer", { className: "status" });
+  store.watch(["state", "connected"], () => {
+    const state = store.get("state");
+    replace(
+      bar,
+      !store.get("connected") && h("span", { className: "offline" }, "Not connected: trying again …"),
+      state?.file &&
+        h("span", { title: "Triangles of the surface, and its handles" }, `${state.file.name} · ${readable(state.file.triangles)} triangles · genus ${state.file.genus}`),
+      state?.statistics && h("span", { className: "counts", "data-quads": String(state.statistics.quads) }, `${readable(state.statistics.quads)} quads · ${readable(state.statistics.vertices)} vertices`),
+      state?.certificate && light(state, certify),
+      state?.budget && budget(state),
+      h("span", { className: "spring" }),
+      state?.last && h("span", { className: state.last.ok ? "last" : "last bad", title: state.last.text }, lastText(state)),
+    );
+  });
+  return bar;
+}
+
+function lastText(state: State): string {
+  const last = state.last!;
+  return last.milliseconds === undefined ? last.text : `${last.text} · ${time(last.milliseconds)}`;
+}
+
+function light(state: State, certify: () => void): HTMLElement {
+  const certificate = state.certificate!;
+  const failed = certificate.checks.filter((c) => c.status === "failed");
+  const waiting = certificate.checks.filter((c) => c.status === "not_checked");
+  const soft = certificate.passed && failed.length > 0;
+  const colour = !certificate.passed ? "red" : soft ? "amber" : "green";
+  const text = !certificate.passed ? "not valid" : soft ? "valid, with remarks" : waiting.length ? "valid" : "certified";
+  const lines = [...failed.map((c) => `✗ ${c.name}: ${c.message}`), ...waiting.map((c) => `· ${c.name}: not checked yet`)];
+  return h(
+    "button",
+    { className: "ghost certificate", "data-light": colour, title: [`Click for all checks, also the slow ones.`, ...lines].join("\n"), onclick: certify },
+    h("span", { className: `light ${colour}` }), text,
+  );
+}
+
+/** Sums 4 - valence (3 - valence on the boundary): the surface prescribes it, whatever the quads are. */
+function budget(state: State): HTMLElement {
+  const { needed, interior, boundary } = state.budget!;
+  const parts: string[] = [];
+  let sum = 0;
+  const count = (valences: Record<string, number>, regular: number, where: string): void => {
+    for (const [valence, number] of Object.entries(valences)) {
+      if (Number(valence) === regular) continue;
+      sum += (regular - Number(valence)) * number;
+      parts.push(`${number} × valence ${valence}${where}`);
+    }
+  };
+  count(interior, 4, "");
+  count(boundary, 3, " on the boundary");
+  const explanation =
+    `On this surface 4 − valence, summed over all vertices (3 − valence on the boundary), is always 4χ = ${needed}. ` +
+    "Poles (valence 3) add 1, saddles (valence 8) take away 4: the design can only choose where they are and how they balance. ";
+  return h(
+    "span", { className: "budget", title: explanation + (parts.length ? `\nNow: ${parts.join(", ")}.` : "") },
+    "index ", h("strong", {}, signed(sum)), ` of ${signed(needed)}`, parts.length > 0 && h("em", {}, ` (${parts.slice(0, 4).join(", ")}${parts.length > 4 ? " …" : ""})`),
+  );
+}
+
+function signed(value: number): string {
+  return value < 0 ? `−${-value}` : String(value);
+}
