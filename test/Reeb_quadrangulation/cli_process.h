@@ -3,15 +3,14 @@
 #ifndef REEBQUAD_TEST_CLI_PROCESS_H
 #define REEBQUAD_TEST_CLI_PROCESS_H
 
+#include "temporary_folder.h"
+
 #include <catch2/catch.hpp>
 
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -33,38 +32,6 @@ struct Outcome {
   double seconds = 0;
   double seconds_after_signal = 0;
 };
-
-/// A folder that is removed with all that is in it.
-class Temporary_folder {
-public:
-  Temporary_folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "reebquad-test-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    m_path = name;
-  }
-  ~Temporary_folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
-  }
-  Temporary_folder(const Temporary_folder&) = delete;
-  Temporary_folder& operator=(const Temporary_folder&) = delete;
-
-  std::string path(const std::string& name) const { return (m_path / name).string(); }
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-
-private:
-  std::filesystem::path m_path;
-};
-
-inline std::string contents(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 struct Limits {
   double seconds = 60;          ///< then the program is killed

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who is let into the studio's server, and what it does with rude clients.
-#include "cli_process.h"
 #include "studio_client.h"
+#include "temporary_folder.h"
 #include "tiny_surfaces.h"
 
 #include <server/Server.h>
@@ -17,7 +17,7 @@ using reebquad::studio::Server;
 namespace {
 
 std::string torus_file() {
-  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(torus(24, 12)), Mesh_format::off);
+  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(tiny::torus(24, 12)), Mesh_format::off);
   REQUIRE(encoded);
   return encoded->bytes;
 }

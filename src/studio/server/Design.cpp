@@ -74,7 +74,7 @@ public:
     if (const Quadrangulation* q = result())
       for (std::size_t c = 0; c < q->layout.atlas.charts.size(); ++c)
         charts.push_back({{"id", c},
-                          {"kind", q->layout.atlas.charts[c].kind == Chart_kind::disc ? "disc" : "annulus"},
+                          {"kind", q->layout.atlas.charts[c]->kind == Chart_kind::disc ? "disc" : "annulus"},
                           {"columns", q->sampling.grid[c][0]},
                           {"rows", q->sampling.grid[c][1]}});
     return {{"charts", charts}};
