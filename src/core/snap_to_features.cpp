@@ -2,10 +2,9 @@
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/internal/compatibility.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -19,8 +18,8 @@ namespace {
 using Kernel = Simple_cartesian<double>;
 using Segment = Kernel::Segment_3;
 using Segments = std::vector<Segment>;
-using Primitive = AABB_segment_primitive<Kernel, Segments::const_iterator>;
-using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;
+using Primitive = internal::Aabb_segment_primitive<Kernel, Segments::const_iterator>;
+using Tree = AABB_tree<internal::Aabb_traits<Kernel, Primitive>>;
 
 Kernel::Point_3 to_kernel(const Point& p) {
   return {p.x(), p.y(), p.z()};

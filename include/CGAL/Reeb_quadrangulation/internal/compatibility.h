@@ -6,8 +6,10 @@
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_segment_primitive_3.h>
 #include <CGAL/AABB_traits_3.h>
 #else
+#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #endif
 
@@ -15,11 +17,15 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// Traits of a CGAL::AABB_tree; CGAL 6 renamed them.
+/// Traits and primitives of a CGAL::AABB_tree; CGAL 6 renamed them.
 #if CGAL_VERSION_NR >= 1060000000
 template <class Kernel, class Primitive> using Aabb_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+template <class Kernel, class Iterator>
+using Aabb_segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
 #else
 template <class Kernel, class Primitive> using Aabb_traits = CGAL::AABB_traits<Kernel, Primitive>;
+template <class Kernel, class Iterator>
+using Aabb_segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
 #endif
 
 } // namespace internal
