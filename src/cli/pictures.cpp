@@ -17,12 +17,6 @@ namespace {
 
 constexpr int width = 1000, height = 800;
 
-Up_axis up_axis(const Point& axis) {
-  Point::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  return largest == 0 ? Up_axis::x : largest == 1 ? Up_axis::y : Up_axis::z;
-}
-
 /// The embedded surfaces of all components as one, with the field and the chart of each face.
 struct Joined_layout {
   Triangle_surface surface;
@@ -163,7 +157,7 @@ void write_pictures(const Run& run, const Run_options& options) {
   if (failed)
     throw Failure(Exit_code::other_failure,
                   options.pictures + ": the folder cannot be made: " + failed.message());
-  const Up_axis up = up_axis(options.pipeline.suggestion.axis);
+  const Point up = options.pipeline.suggestion.axis;
   const auto write = [&](const Image& image, const char* name) {
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted");
     const std::string file = (std::filesystem::path(options.pictures) / name).string();

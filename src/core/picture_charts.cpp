@@ -139,6 +139,11 @@ Image compose(const std::vector<Image>& images, int columns, int gap, Colour bac
 }
 
 Image contact_sheet(const Scene& scene, Up_axis up, int width, int height, const Render_options& options) {
+  return contact_sheet(scene, camera(View::front, up).up, width, height, options);
+}
+
+Image contact_sheet(const Scene& scene, const Point& up, int width, int height,
+                    const Render_options& options) {
   CGAL_precondition(width >= 2 && height >= 4);
   const int legend = std::min(legend_height(scene.legend, width, height), height / 2);
   const int cell_width = width / 2, cell_height = (height - legend) / 2;

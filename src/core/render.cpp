@@ -7,6 +7,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -179,9 +181,18 @@ void develop(const Exposure& exposure, const Render_options& options, Image& ima
 } // namespace
 
 Camera camera(View view, Up_axis up) {
-  const int u = up == Up_axis::x ? 0 : up == Up_axis::y ? 1 : 2;
-  const Point up_direction = Point::Unit(u), side = Point::Unit((u + 2) % 3),
-              front = Point::Unit((u + 1) % 3);
+  return camera(view, Point(Point::Unit(up == Up_axis::x ? 0 : up == Up_axis::y ? 1 : 2)));
+}
+
+Camera camera(View view, const Point& up) {
+  CGAL_precondition(up.allFinite() && !up.isZero(0));
+  const Point up_direction = up.stableNormalized();
+  Point::Index u = 0;
+  up_direction.cwiseAbs().maxCoeff(&u);
+  const double sign = up_direction[u] < 0 ? -1 : 1;
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(sign * Point::Unit(u), up_direction);
+  const Point side = turn * Point(sign * Point::Unit((u + 2) % 3)),
+              front = turn * Point(Point::Unit((u + 1) % 3));
   Camera c;
   c.up = up_direction;
   switch (view) {

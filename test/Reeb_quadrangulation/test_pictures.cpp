@@ -390,6 +390,23 @@ TEST_CASE("A histogram's bars are as high as their bins") {
   CHECK(histogram_image(histogram, 3, 2).rgba.size() == 24u);
 }
 
+TEST_CASE("Any direction points up on the picture, and the four views stand around it") {
+  for (const Point& up : {Point(0, 0, 2), Point(0, -1, 0), Point(3, 1, -1), Point(-1e200, 2e200, 1e200)}) {
+    const Point unit = up.stableNormalized();
+    const Camera front = camera(View::front, up), side = camera(View::side, up),
+                 back = camera(View::back, up), oblique = camera(View::three_quarter, up);
+    for (const Camera& c : {front, side, back, oblique}) CHECK((c.up - unit).norm() < 1e-12);
+    CHECK(std::abs(front.direction.dot(unit)) < 1e-12);
+    CHECK((front.direction + back.direction).norm() < 1e-12);
+    // To the right of the front view: the eye went right, so the line of sight points left.
+    CHECK((side.direction + front.direction.cross(unit)).norm() < 1e-12);
+    CHECK(oblique.direction.dot(unit) < 0);
+  }
+  const Camera by_axis = camera(View::three_quarter, Up_axis::z),
+               by_direction = camera(View::three_quarter, Point(0, 0, 5));
+  CHECK((by_axis.direction == by_direction.direction && by_axis.up == by_direction.up));
+}
+
 TEST_CASE("A contact sheet holds four views that differ, and composing keeps the pictures") {
   Scene scene = quad_scene(quad_cube());
   scene.points[7] *= 1.7;

@@ -37,6 +37,10 @@ enum class View { three_quarter, front, side, back };
 
 Camera camera(View view, Up_axis up = Up_axis::y);
 
+/// The same where any direction points up: the views of the axis nearest to it, turned the shortest way; of the opposite
+/// axis, upside down. \pre `up` is finite and not zero
+Camera camera(View view, const Point& up);
+
 struct Render_options {
   int samples = 3; ///< each pixel is the mean of samples x samples colours; 1 to 8
   Colour background{255, 255, 255};
@@ -53,6 +57,8 @@ Image render(const Scene& scene, const Camera& camera, int width, int height,
 
 /// Four named views (three-quarter, front, side, back) on one sheet, with the scene's legend once.
 Image contact_sheet(const Scene& scene, Up_axis up, int width, int height,
+                    const Render_options& options = {});
+Image contact_sheet(const Scene& scene, const Point& up, int width, int height,
                     const Render_options& options = {});
 
 /// Pictures side by side, row by row, in `columns` columns of equal cells, centred in their cells.
