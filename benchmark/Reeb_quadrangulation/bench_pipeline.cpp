@@ -2,6 +2,7 @@
 // The whole run and the share of each stage at growing sizes, beside CHOLMOD on the same surface's Laplacian: JSON lines.
 // Usage: bench_pipeline [shape [repetitions [triangles ...]]]. Seconds are CPU time; medians over the repetitions.
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
+#include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
@@ -96,6 +97,7 @@ void measure(const std::string& shape, int triangles, int repetitions) {
 } // namespace
 
 int main(int argc, char** argv) {
+  internal::keep_freed_memory(); // as the program does
   const std::string shape = argc > 1 ? argv[1] : "genus-3";
   const int repetitions = argc > 2 ? std::max(1, std::atoi(argv[2])) : 3;
   std::vector<int> sizes;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
 #include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
 
 #include <algorithm>
@@ -233,6 +234,7 @@ Exit_code execute_run(const Arguments& arguments) {
   if (!options) return Exit_code::success;
   require_writable_format(options->output);
   watch_for_interruption();
+  CGAL::Reeb_quadrangulation::internal::keep_freed_memory();
   return Runner(*options).execute();
 }
 
