@@ -49,7 +49,50 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   return prepare(chart, clamped_cotangent_weights(chart.mesh));
 }
 
-Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart, Edge_weights weights) {
+std::vector<std::vector<int>> elimination_orders(const Atlas& atlas, const std::vector<int>& order) {
+  std::vector<std::vector<int>> orders(atlas.charts.size());
+  if (order.empty()) return orders;
+  std::vector<std::array<int, 2>> place(order.size(), {-1, -1}); // chart and vertex in it
+  for (std::size_t c = 0; c < atlas.charts.size(); ++c) {
+    const Chart& chart = *atlas.charts[c];
+    orders[c].reserve(chart.vertex_origin.size());
+    for (std::size_t v = 0; v < chart.vertex_origin.size(); ++v)
+      if (const int origin = chart.vertex_origin[v]; origin >= 0 && origin < int(order.size()))
+        place[origin] = {int(c), int(v)};
+    // Vertices of walks are known, and in several charts.
+    for (const Walk& walk : chart.walks)
+      for (int v : walk.vertices)
+        if (const int origin = chart.vertex_origin[v]; origin >= 0 && origin < int(order.size()))
+          place[origin] = {-1, -1};
+  }
+  for (int v : order)
+    if (place[v][0] >= 0) orders[place[v][0]].push_back(place[v][1]);
+  return orders;
+}
+
+// The solver with the unknowns in the order asked for, the vertices left out last.
+Result<void> Chart_parameterization::factorize(const std::vector<int>& elimination_order) {
+  m_solver = std::make_shared<Multifrontal_solver>();
+  const Symmetric_matrix& matrix = m_system.matrix;
+  if (matrix.size == 0) return {};
+  if (!elimination_order.empty()) {
+    std::vector<int> order;
+    std::vector<char> is_listed(matrix.size, 0);
+    order.reserve(matrix.size);
+    for (int v : elimination_order)
+      if (const int i = m_system.unknown_of_vertex[v]; i >= 0) {
+        order.push_back(i);
+        is_listed[i] = 1;
+      }
+    for (int i = 0; i < matrix.size; ++i)
+      if (!is_listed[i]) order.push_back(i);
+    if (Result<void> analyzed = m_solver->analyze(matrix, order); !analyzed) return analyzed;
+  }
+  return m_solver->factorize(matrix);
+}
+
+Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart, Edge_weights weights,
+                                                               const std::vector<int>& elimination_order) {
   const Triangle_surface& mesh = chart.mesh;
   if (Result<void> checked = check_weights(mesh, weights); !checked) return checked.error();
   Chart_parameterization p;
@@ -58,10 +101,7 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   for (const Walk& walk : chart.walks)
     for (int v : walk.vertices) is_fixed[v] = 1;
   p.m_system = assemble(mesh, p.m_weights, is_fixed);
-  p.m_solver = std::make_shared<Multifrontal_solver>();
-  if (p.m_system.matrix.size > 0)
-    if (Result<void> factorized = p.m_solver->factorize(p.m_system.matrix); !factorized)
-      return factorized.error();
+  if (Result<void> factorized = p.factorize(elimination_order); !factorized) return factorized.error();
   if (chart.kind == Chart_kind::annulus) {
     if (Result<void> solved = p.solve_u(chart); !solved) return solved.error();
     p.choose_seam(chart);

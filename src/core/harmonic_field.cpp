@@ -363,6 +363,10 @@ Harmonic_field::solve_with_local_clamping(const std::vector<int>& wanted_extrema
   return field;
 }
 
+const std::vector<int>& Harmonic_field::elimination_order() const {
+  return m_implementation->solver.elimination_order();
+}
+
 double Harmonic_field::residual() const {
   return m_implementation->residual;
 }

@@ -72,6 +72,7 @@ struct Multifrontal_solver::Implementation {
   const Dense_kernels* kernels = &internal::dense_kernels();
   mutable std::vector<double> permuted, front_x;
 
+  void set_tree(Assembly_tree&& new_tree, const Symmetric_matrix& pattern);
   void plan_tasks();
   std::size_t peak_of(const std::vector<int>& fronts, const std::vector<int>& task_of, int task) const;
   std::vector<char> dirty_fronts(const std::vector<double>& value) const;
@@ -83,6 +84,13 @@ struct Multifrontal_solver::Implementation {
 };
 
 namespace {
+
+[[maybe_unused]] bool is_permutation(const std::vector<int>& order, int size) {
+  std::vector<char> seen(size, 0);
+  for (const int i : order)
+    if (i < 0 || i >= size || seen[i]++) return false;
+  return int(order.size()) == size;
+}
 
 // The place of a column of an update matrix such that adding a row gives the entry.
 inline double* update_column(double* update, int padded_rows, int column) {
@@ -300,6 +308,14 @@ void Multifrontal_solver::set_incremental(bool incremental) {
   if (!incremental) m_implementation->kept_updates = Numbers();
 }
 
+void Multifrontal_solver::Implementation::set_tree(Assembly_tree&& new_tree,
+                                                   const Symmetric_matrix& pattern) {
+  tree = std::move(new_tree);
+  matrix = pattern;
+  plan_tasks();
+  is_analyzed = true;
+}
+
 Result<void> Multifrontal_solver::analyze(const Symmetric_matrix& pattern) {
   Implementation& impl = *m_implementation;
   impl.is_analyzed = impl.is_factorized = false;
@@ -307,11 +323,22 @@ Result<void> Multifrontal_solver::analyze(const Symmetric_matrix& pattern) {
   if (!checked) return checked;
   Result<Assembly_tree> tree = internal::analyze_pattern(pattern, impl.ordering);
   if (!tree) return tree.error();
-  impl.tree = std::move(*tree);
-  impl.matrix = pattern;
-  impl.plan_tasks();
-  impl.is_analyzed = true;
+  impl.set_tree(std::move(*tree), pattern);
   return {};
+}
+
+Result<void> Multifrontal_solver::analyze(const Symmetric_matrix& pattern, const std::vector<int>& order) {
+  Implementation& impl = *m_implementation;
+  impl.is_analyzed = impl.is_factorized = false;
+  const Result<void> checked = check_pattern(pattern);
+  if (!checked) return checked;
+  CGAL_precondition(is_permutation(order, pattern.size));
+  impl.set_tree(internal::analyze_pattern(pattern, order), pattern);
+  return {};
+}
+
+const std::vector<int>& Multifrontal_solver::elimination_order() const {
+  return m_implementation->tree.original;
 }
 
 Result<void> Multifrontal_solver::factorize(const Symmetric_matrix& matrix) {

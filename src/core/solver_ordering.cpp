@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace CGAL {
@@ -133,6 +132,8 @@ Graph coarsened(const Graph& g, std::vector<int>& coarse_of) {
   return c;
 }
 
+constexpr std::int64_t largest_index = std::int64_t(1) << 32; // a power of two above all vertices
+
 // A graph whose vertices belong to regions, and a bisection of one region at a time.
 struct Bisector {
   explicit Bisector(const Graph& g)
@@ -145,11 +146,14 @@ struct Bisector {
   std::vector<int> mark;
   int latest_mark = 0;
   std::vector<int> gain, has_gain; // the latter: marks the pass that the former is of
+  std::vector<std::int64_t> queue; // a heap of gains and, for a total order, vertices
 
   std::int64_t cut(const std::vector<int>& vertices) const;
   void grow(int start, std::vector<int>& order);
   void split_by_search(const std::vector<int>& vertices, int start);
-  void refine(const std::vector<int>& vertices, int passes);
+  bool is_cut(int v) const;
+  // `candidates` hold, on entry and in what is returned, at least the region's vertices at the cut.
+  std::vector<int> refine(const std::vector<int>& vertices, std::vector<int> candidates, int passes);
   bool pass(std::vector<int>& candidates, std::int64_t (&weight)[2]);
 };
 
@@ -204,7 +208,11 @@ bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
   // Moves without a new best; large regions, whose separators cost the most, are worth more.
   const std::size_t patience = std::size_t(std::min<std::int64_t>(200, 40 + (weight[0] + weight[1]) / 400));
   const std::int64_t most = (weight[0] + weight[1]) * 60 / 100 + 1;
-  std::priority_queue<std::pair<int, int>> queue; // gain and, for a total order, the vertex
+  queue.clear();
+  const auto push = [&](int v) {
+    queue.push_back(std::int64_t(gain[v]) * largest_index + v);
+    std::push_heap(queue.begin(), queue.end());
+  };
   const auto find_gain = [&](int v) {
     gain[v] = 0;
     for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
@@ -217,14 +225,16 @@ bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
   ++latest_mark; // marks the vertices that have moved
   for (const int v : candidates) {
     find_gain(v);
-    queue.push({gain[v], v});
+    push(v);
   }
   std::vector<int> moved;
   std::int64_t gained = 0, best = 0;
   std::size_t kept = 0;
   while (!queue.empty() && moved.size() < kept + patience) {
-    const auto [g, v] = queue.top();
-    queue.pop();
+    std::pop_heap(queue.begin(), queue.end());
+    const std::int64_t key = queue.back();
+    queue.pop_back();
+    const int v = int(key & (largest_index - 1)), g = int((key - v) / largest_index);
     if (mark[v] == latest_mark || g != gain[v]) continue;
     const int from = side[v], to = 1 - from;
     if (weight[to] + graph->weight[v] > most && weight[to] >= weight[from]) continue;
@@ -245,7 +255,7 @@ bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
         gain[u] += side[u] == side[v] ? -2 * graph->edge_weight[k] : 2 * graph->edge_weight[k];
       else
         find_gain(u);
-      queue.push({gain[u], u});
+      push(u);
     }
   }
   // What is at the cut from now on was there before or is next to what has moved.
@@ -267,20 +277,22 @@ bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
   return best > 0;
 }
 
-void Bisector::refine(const std::vector<int>& vertices, int passes) {
-  std::int64_t weight[2] = {0, 0};
-  std::vector<int> candidates;
-  for (const int v : vertices) {
-    weight[int(side[v])] += graph->weight[v];
-    for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
-      const int u = graph->neighbour[k];
-      if (region[u] != region[v] || side[u] == side[v]) continue;
-      candidates.push_back(v);
-      break;
-    }
+bool Bisector::is_cut(int v) const {
+  for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
+    const int u = graph->neighbour[k];
+    if (region[u] == region[v] && side[u] != side[v]) return true;
   }
+  return false;
+}
+
+std::vector<int> Bisector::refine(const std::vector<int>& vertices, std::vector<int> candidates, int passes) {
+  std::int64_t weight[2] = {0, 0};
+  for (const int v : vertices) weight[int(side[v])] += graph->weight[v];
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [&](int v) { return !is_cut(v); }),
+                   candidates.end());
   for (int i = 0; i < passes && pass(candidates, weight); ++i) {
   }
+  return candidates;
 }
 
 // Cuts a graph into two halves: on a coarser one first, then refined.
@@ -295,7 +307,7 @@ std::vector<signed char> bisected(const Graph& g) {
     if (coarse.size() < g.size() * 9 / 10) {
       const std::vector<signed char> side = bisected(coarse);
       for (const int v : all) bisector.side[v] = side[coarse_of[v]];
-      bisector.refine(all, 4);
+      bisector.refine(all, all, 4);
       return bisector.side;
     }
   }
@@ -306,7 +318,7 @@ std::vector<signed char> bisected(const Graph& g) {
   std::int64_t best_cut = std::numeric_limits<std::int64_t>::max();
   for (int i = 0; i < starts; ++i) {
     bisector.split_by_search(all, int(std::int64_t(g.size()) * i / starts));
-    bisector.refine(all, 8);
+    bisector.refine(all, all, 8);
     const std::int64_t cut = bisector.cut(all);
     if (cut >= best_cut) continue;
     best_cut = cut;
@@ -322,10 +334,11 @@ public:
   explicit Vertex_cover(const Bisector& b)
       : m_bisector(&b), m_mate(b.graph->size(), -1), m_visit(b.graph->size(), 0) {}
 
-  std::vector<int> operator()(const std::vector<int>& vertices) {
+  // \pre `candidates`, in increasing order, hold all of the region's vertices at the cut.
+  std::vector<int> operator()(const std::vector<int>& candidates) {
     std::vector<int> left, right;
-    for (const int v : vertices)
-      if (is_cut(v)) (m_bisector->side[v] == 0 ? left : right).push_back(v);
+    for (const int v : candidates)
+      if (m_bisector->is_cut(v)) (m_bisector->side[v] == 0 ? left : right).push_back(v);
     for (const int v : left)
       for_across(v, [&](int u) {
         if (m_mate[u] >= 0) return false;
@@ -362,9 +375,6 @@ private:
         return true;
     }
     return false;
-  }
-  bool is_cut(int v) const {
-    return for_across(v, [](int) { return true; });
   }
   bool augment_from(int v, int depth) {
     if (depth > 200) return false; // the matching may then not be the largest; the cover is one all the same
@@ -405,7 +415,13 @@ private:
 class Dissection {
 public:
   Dissection(const Graph& fine, const Graph& coarse, const std::vector<int>& coarse_of)
-      : m_fine(fine), m_coarse(coarse), m_coarse_of(&coarse_of), m_cover(m_fine), m_local(fine.size(), -1) {}
+      : m_fine(fine), m_coarse(coarse), m_coarse_of(&coarse_of), m_cover(m_fine), m_local(fine.size(), -1),
+        m_members_begin(coarse.size() + 1, 0), m_members(fine.size()) {
+    for (const int c : coarse_of) ++m_members_begin[c + 1];
+    std::partial_sum(m_members_begin.begin(), m_members_begin.end(), m_members_begin.begin());
+    std::vector<int> end(m_members_begin.begin(), m_members_begin.end() - 1);
+    for (int v = 0; v < fine.size(); ++v) m_members[end[coarse_of[v]]++] = v;
+  }
 
   Result<std::vector<int>> order() {
     std::vector<Region> stack(1);
@@ -463,8 +479,7 @@ private:
       }
       m_fine.side[v] = balance > 0;
     }
-    m_fine.refine(region.fine, 3);
-    const std::vector<int> separator = m_cover(region.fine);
+    const std::vector<int> separator = m_cover(m_fine.refine(region.fine, near_cut(region, strays), 3));
     m_reversed.insert(m_reversed.end(), separator.rbegin(), separator.rend());
     for (const int v : separator) m_fine.region[v] = -1;
     const int first = m_regions + 1;
@@ -478,6 +493,24 @@ private:
       m_coarse.region[c] = first + m_coarse.side[c];
       part[int(m_coarse.side[c])].coarse.push_back(c);
     }
+  }
+
+  // All that can be at the cut before refinement: what is in a coarse vertex at the cut, and strays with their neighbours.
+  std::vector<int> near_cut(const Region& region, const std::vector<int>& strays) const {
+    std::vector<int> near = strays;
+    for (const int c : region.coarse)
+      if (m_coarse.is_cut(c))
+        near.insert(near.end(), m_members.begin() + m_members_begin[c],
+                    m_members.begin() + m_members_begin[c + 1]);
+    const Graph& g = *m_fine.graph;
+    for (const int v : strays)
+      near.insert(near.end(), g.neighbour.begin() + g.begin[v], g.neighbour.begin() + g.begin[v + 1]);
+    const int own = m_fine.region[region.fine.front()];
+    near.erase(std::remove_if(near.begin(), near.end(), [&](int v) { return m_fine.region[v] != own; }),
+               near.end());
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
   }
 
   // The subgraph of the given vertices, numbered as they are listed.
@@ -514,6 +547,7 @@ private:
   const std::vector<int>* m_coarse_of;
   Vertex_cover m_cover;
   std::vector<int> m_local, m_reversed;
+  std::vector<int> m_members_begin, m_members; // the fine vertices of each coarse one
   int m_regions = 0;
 };
 
@@ -534,7 +568,7 @@ Result<std::vector<int>> dissection_order(const Symmetric_matrix& m) {
   std::vector<int> coarse_of(m.size);
   std::iota(coarse_of.begin(), coarse_of.end(), 0);
   Graph coarse = fine;
-  constexpr int levels = 3;
+  constexpr int levels = 4;
   for (int i = 0; i < levels; ++i) {
     std::vector<int> next;
     coarse = coarsened(coarse, next);

@@ -23,29 +23,37 @@ std::vector<int> inverse(const std::vector<int>& order) {
   return place;
 }
 
-// The off-diagonal entries with rows and columns renumbered by `place`: for each unknown, those before it
-// (`earlier`) or those after it.
-Lists adjacency(const Symmetric_matrix& m, const std::vector<int>& place, bool earlier) {
+// Entries as pairs of two different unknowns, `visit` calling an action with each, turned into lists: for each unknown, those
+// before it (`earlier`) or those after it.
+template <class Visit> Lists lists_of(int size, bool earlier, Visit visit) {
   Lists lists;
-  lists.begin.assign(m.size + 1, 0);
-  const auto visit = [&](auto&& action) {
-    for (int j = 0; j < m.size; ++j) {
-      const int b = place[j];
-      for (int k = m.column_begin[j] + 1; k < m.column_begin[j + 1]; ++k) {
-        const int a = place[m.row[k]];
-        if ((a > b) == earlier)
-          action(a, b);
-        else
-          action(b, a);
-      }
-    }
-  };
-  visit([&](int a, int) { ++lists.begin[a + 1]; });
+  lists.begin.assign(size + 1, 0);
+  visit([&](int a, int b) { ++lists.begin[((a > b) == earlier ? a : b) + 1]; });
   std::partial_sum(lists.begin.begin(), lists.begin.end(), lists.begin.begin());
   lists.item.resize(lists.begin.back());
   std::vector<int> end(lists.begin.begin(), lists.begin.end() - 1);
-  visit([&](int a, int b) { lists.item[end[a]++] = b; });
+  visit([&](int a, int b) {
+    if ((a > b) != earlier) std::swap(a, b);
+    lists.item[end[a]++] = b;
+  });
   return lists;
+}
+
+// The off-diagonal entries with rows and columns renumbered by `place`: for each unknown, those before it.
+Lists earlier_entries(const Symmetric_matrix& m, const std::vector<int>& place) {
+  return lists_of(m.size, true, [&](auto action) {
+    for (int j = 0; j < m.size; ++j)
+      for (int k = m.column_begin[j] + 1; k < m.column_begin[j + 1]; ++k) action(place[m.row[k]], place[j]);
+  });
+}
+
+// The same entries once more renumbered. Where the two orders are much alike, this runs through memory in order.
+Lists renumbered(const Lists& lists, const std::vector<int>& place, bool earlier) {
+  const int size = int(place.size());
+  return lists_of(size, earlier, [&](auto action) {
+    for (int i = 0; i < size; ++i)
+      for (int k = lists.begin[i]; k < lists.begin[i + 1]; ++k) action(place[i], place[lists.item[k]]);
+  });
 }
 
 // Liu's algorithm: the parent of a column is the first later one that its elimination touches.
@@ -348,32 +356,37 @@ bool uses_dissection(const Symmetric_matrix& m, Multifrontal_solver::Ordering or
 
 } // namespace
 
-Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& m, Multifrontal_solver::Ordering ordering) {
+Assembly_tree analyze_pattern(const Symmetric_matrix& m, const std::vector<int>& order) {
   Assembly_tree tree;
   tree.child_begin = tree.entry_begin = {0};
   if (m.size == 0) return tree;
-  const Result<std::vector<int>> ordered =
-      uses_dissection(m, ordering) ? dissection_order(m) : minimum_degree_order(m);
-  if (!ordered) return ordered.error();
-  const std::vector<int>& first_order = *ordered;
-
-  const std::vector<int> raw_parent = elimination_tree(adjacency(m, inverse(first_order), true), m.size);
+  const Lists earlier = earlier_entries(m, inverse(order));
+  const std::vector<int> raw_parent = elimination_tree(earlier, m.size);
   const std::vector<int> post = postorder(raw_parent), place_in_post = inverse(post);
   std::vector<int> original(m.size), parent(m.size);
   for (int j = 0; j < m.size; ++j) {
-    original[j] = first_order[post[j]];
+    original[j] = order[post[j]];
     parent[j] = raw_parent[post[j]] < 0 ? -1 : place_in_post[raw_parent[post[j]]];
   }
-  const std::vector<int> count = column_counts(adjacency(m, inverse(original), false), parent);
+  const std::vector<int> count = column_counts(renumbered(earlier, place_in_post, false), parent);
 
   Partition partition = fundamental_fronts(parent, count);
   merge_fronts(partition);
   number_fronts(partition, original, tree);
   const std::vector<int> place = inverse(tree.original);
-  find_rows(adjacency(m, place, true), tree);
+  std::vector<int> moved(m.size); // from the given order to that of the fronts
+  for (int j = 0; j < m.size; ++j) moved[j] = place[order[j]];
+  find_rows(renumbered(earlier, moved, true), tree);
   find_rows_in_parents(tree);
   place_entries(m, place, tree);
   return tree;
+}
+
+Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& m, Multifrontal_solver::Ordering ordering) {
+  const Result<std::vector<int>> order =
+      uses_dissection(m, ordering) ? dissection_order(m) : minimum_degree_order(m);
+  if (!order) return order.error();
+  return analyze_pattern(m, *order);
 }
 
 } // namespace internal

@@ -61,6 +61,9 @@ struct Assembly_tree {
 Result<Assembly_tree> analyze_pattern(const Symmetric_matrix& pattern,
                                       Multifrontal_solver::Ordering ordering);
 
+/// The same with the unknowns in an order that is given. Siblings may change places: the fill does not.
+Assembly_tree analyze_pattern(const Symmetric_matrix& pattern, const std::vector<int>& order);
+
 } // namespace internal
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -128,6 +128,39 @@ TEST_CASE("a cylinder is mapped by its height and its angle") {
   }
 }
 
+TEST_CASE("the field's order of elimination changes a chart's map by rounding only, whatever it leaves out") {
+  for (const Named_run& named : runs()) {
+    INFO(named.name);
+    Harmonic_field field(named.surface);
+    CHECK(field.elimination_order().empty());
+    REQUIRE(bool(field.set_constraint(0, 0)));
+    REQUIRE(bool(field.solve()));
+    const Atlas& atlas = named.run.layout.atlas;
+    std::vector<std::vector<int>> orders = elimination_orders(atlas, field.elimination_order());
+    REQUIRE(orders.size() == atlas.charts.size());
+    CHECK(elimination_orders(atlas, {}).back().empty());
+    for (std::size_t c = 0; c < atlas.charts.size(); ++c) {
+      const Chart& chart = *atlas.charts[c];
+      std::vector<char> expected(chart.mesh.points.size());
+      for (std::size_t v = 0; v < expected.size(); ++v)
+        expected[v] =
+            chart.vertex_origin[v] >= 0 && chart.vertex_origin[v] < named.surface.number_of_vertices();
+      for (const Walk& walk : chart.walks)
+        for (const int v : walk.vertices) expected[v] = 0;
+      CHECK(int(orders[c].size()) == std::count(expected.begin(), expected.end(), 1));
+      for (int round = 0; round < 2; ++round) {
+        const auto map =
+            Chart_parameterization::prepare(chart, clamped_cotangent_weights(chart.mesh), orders[c]);
+        REQUIRE(bool(map));
+        if (chart.kind == Chart_kind::annulus)
+          for (std::size_t v = 0; v < expected.size(); ++v)
+            CHECK(map->u()[v] == Approx(named.run.maps[c].u()[v]).margin(1e-9));
+        orders[c].resize(orders[c].size() / 2);
+      }
+    }
+  }
+}
+
 TEST_CASE("points are found where they are") {
   for_each_chart(
       [](const Chart& chart, const Chart_parameterization& map, std::size_t, const stages::Stages&) {

@@ -38,7 +38,11 @@ public:
   /// The same with other weights of the chart's edges than clamped cotangents; see `prepare_chart()`. Fails with
   /// `impossible_request`, naming the edge by a halfedge, where a weight is not positive and finite or the two halfedges of an
   /// edge differ: only symmetric positive weights keep the map from folding.
-  static Result<Chart_parameterization> prepare(const Chart& chart, Edge_weights weights);
+  ///
+  /// `elimination_order` may list vertices of the chart, each once, in an order in which the solver does well to eliminate them,
+  /// as `elimination_orders()` gives it; vertices that it leaves out follow. Without it an order is searched for.
+  static Result<Chart_parameterization> prepare(const Chart& chart, Edge_weights weights,
+                                                const std::vector<int>& elimination_order = {});
 
   /// \name Annuli
   /// @{
@@ -64,6 +68,7 @@ public:
   int flipped(const Chart& chart) const;
 
 private:
+  Result<void> factorize(const std::vector<int>& elimination_order);
   Result<void> solve_u(const Chart& chart);
   void choose_seam(const Chart& chart);
   void integrate_flux(const Chart& chart);
@@ -80,6 +85,11 @@ private:
   std::array<std::vector<double>, 2> m_natural;
   Height_profile m_profile;
 };
+
+/// For each chart its inner vertices that are vertices of the surface, in the surface's `order` of elimination
+/// (`Harmonic_field::elimination_order()`): the charts' systems are parts of the field's, so that what was found for
+/// it serves them too. Linear.
+std::vector<std::vector<int>> elimination_orders(const Atlas& atlas, const std::vector<int>& order);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -77,6 +77,9 @@ public:
   /// Of the last solve; see `relative_residual()`.
   double residual() const;
 
+  /// The vertices as the last solution by elimination ordered them, or none; it depends on the surface's triangles alone.
+  const std::vector<int>& elimination_order() const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> m_implementation;

@@ -45,6 +45,10 @@ public:
   /// values are not read). Nearly linear.
   Result<void> analyze(const Symmetric_matrix& pattern);
 
+  /// The same without the search for an order: `order` lists all unknowns as they are to be eliminated. What an order that
+  /// serves a matrix leaves of a part of its unknowns serves that part, with no more fill.
+  Result<void> analyze(const Symmetric_matrix& pattern, const std::vector<int>& order);
+
   /// Factorizes; analyzes first where the pattern is not the one last analyzed. Fails with `solver_failure`,
   /// naming the row as the error's index, where a pivot is not above 1e-13 of the diagonal entry it was:
   /// there the matrix is not positive definite, or is singular but for rounding.
@@ -55,6 +59,8 @@ public:
   /// `factorize` did not succeed. Uses scratch memory of the solver: call it from one thread at a time.
   Result<void> solve(double* x, int right_hand_sides = 1) const;
 
+  /// The unknowns as they are eliminated; empty before the first `analyze`.
+  const std::vector<int>& elimination_order() const;
   int size() const; ///< unknowns
   int number_of_fronts() const;
   int eliminated_fronts() const;   ///< by the last factorization

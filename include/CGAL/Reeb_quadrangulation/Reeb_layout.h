@@ -14,6 +14,8 @@ struct Designed_field {
   std::vector<double> values;            ///< per vertex
   std::vector<int> minima, maxima;       ///< interior vertices
   std::vector<bool> boundary_is_maximum; ///< per loop of `boundary_loops()`: the field is constant on each
+  /// The vertices as `Harmonic_field::elimination_order()` gives them, or none. The charts' systems take it over.
+  std::vector<int> elimination_order = {};
 };
 
 /// The Reeb atlas of a field: the surface cut along its critical contours and its caps.
