@@ -9,6 +9,9 @@
 #include <CGAL/Reeb_quadrangulation/Chart_parameterization.h>
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Contour_network.h>
+#include <CGAL/Reeb_quadrangulation/Design.h>
+#include <CGAL/Reeb_quadrangulation/Edit.h>
+#include <CGAL/Reeb_quadrangulation/Editor.h>
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
 #include <CGAL/Reeb_quadrangulation/Embedding.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
@@ -16,6 +19,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>

@@ -46,6 +46,7 @@ struct Command_line {
 
 Exit_code execute_run(const Arguments& arguments);
 Exit_code execute_check(const Arguments& arguments);
+Exit_code execute_replay(const Arguments& arguments);
 Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_shape(const Arguments& arguments);
 Exit_code execute_studio(const Arguments& arguments);

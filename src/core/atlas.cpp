@@ -65,6 +65,17 @@ void sort_faces(const Embedding& embedding, std::vector<int>& faces) {
   }
 }
 
+// The edges of a walk that begin at a half- or quarter-saddle.
+std::vector<int> fractional_saddles(const Contour_network& network, const Walk& walk) {
+  std::vector<int> visits;
+  for (std::size_t i = 0; i < walk.edges.size(); ++i) {
+    const Contour_edge& edge = network.edges[walk.edges[i].edge];
+    const Node_kind kind = network.nodes[walk.edges[i].forward ? edge.from : edge.to].kind;
+    if (kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle) visits.push_back(int(i));
+  }
+  return visits;
+}
+
 // Cuts one region out of the embedded surface. The scratch arrays are shared by all regions, since they are disjoint.
 class Chart_builder {
 public:
@@ -78,14 +89,19 @@ public:
     for (int v : extrema) m_is_extremum[v] = 1;
   }
 
+  // Takes regions of any topology from now on.
+  void accept_regions() { m_any_topology = true; }
+
   Result<Chart> build(const std::vector<int>& faces, int index) {
     m_index = index;
     m_chart = Chart();
+    if (m_any_topology) m_chart.kind = Chart_kind::region;
     m_extrema.clear();
     copy_faces(faces);
     if (Result<void> walked = trace_walks(faces); !walked) return walked.error();
     number_interior_vertices(faces);
-    if (Result<void> valid = classify(); !valid) return valid.error();
+    if (!m_any_topology)
+      if (Result<void> valid = classify(); !valid) return valid.error();
     split_chords();
     renew_outgoing();
     return std::move(m_chart);
@@ -234,7 +250,7 @@ private:
       return {};
     }
     if (chi == 1 && walks.size() == 1 &&
-        (extrema.size() == 1 || (extrema.empty() && fractional_saddles(walks[0]) == 4))) {
+        (extrema.size() == 1 || (extrema.empty() && fractional_saddles(m_network, walks[0]).size() == 4))) {
       m_chart.kind = Chart_kind::disc;
       m_chart.extremum = extrema.empty() ? -1 : extrema[0];
       return {};
@@ -242,16 +258,6 @@ private:
     return bad("is neither an annulus nor a disc with one extremum: Euler characteristic " +
                std::to_string(chi) + ", " + std::to_string(walks.size()) + " boundaries, " +
                std::to_string(extrema.size()) + " extrema");
-  }
-
-  int fractional_saddles(const Walk& walk) const {
-    int visits = 0;
-    for (const Walk_edge& e : walk.edges) {
-      const Contour_edge& edge = m_network.edges[e.edge];
-      const Node_kind kind = m_network.nodes[e.forward ? edge.from : edge.to].kind;
-      visits += kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle;
-    }
-    return visits;
   }
 
   // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:
@@ -315,6 +321,7 @@ private:
   std::vector<int> m_extrema;
   Chart m_chart;
   int m_index = -1;
+  bool m_any_topology = false;
 };
 
 int find_root(std::vector<int>& parent, int i) {
@@ -386,6 +393,23 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
   return atlas;
 }
 
+Result<Chart> cut_region(const Embedding& embedding, const Contour_network& network,
+                         const std::vector<int>& extrema, int face) {
+  std::vector<int> region_of_face;
+  std::vector<std::vector<int>> regions = flood_regions(embedding, region_of_face);
+  std::vector<int>& faces = regions[region_of_face[face]];
+  sort_faces(embedding, faces);
+  Chart_builder builder(embedding, network, extrema);
+  builder.accept_regions();
+  return builder.build(faces, region_of_face[face]);
+}
+
+std::vector<int> rectangle_corners(const Contour_network& network, const Chart& chart) {
+  if (chart.kind != Chart_kind::disc) return {};
+  std::vector<int> corners = fractional_saddles(network, chart.walks[0]);
+  return corners.size() == 4 ? corners : std::vector<int>();
+}
+
 int Reeb_graph::loops() const {
   std::vector<int> parent(number_of_nodes());
   std::iota(parent.begin(), parent.end(), 0);
@@ -425,7 +449,7 @@ Reeb_graph reeb_graph(const Atlas& atlas, const Contour_network& network) {
       continue;
     }
     const int pole = graph.number_of_nodes();
-    graph.extremum.push_back(chart.vertex_origin[chart.extremum]);
+    graph.extremum.push_back(chart.extremum >= 0 ? chart.vertex_origin[chart.extremum] : -1);
     if (chart.walks[0].side == Side::low)
       graph.arcs.push_back({first, pole});
     else

@@ -18,6 +18,43 @@ Point Contour_network::position(const Triangle_surface& surface, int vertex) con
   return p + c.t * (q - p);
 }
 
+void remove_edge(Contour_network& network, int e) {
+  Contour_edge& edge = network.edges[e];
+  for (std::size_t i = 1; i + 1 < edge.vertices.size(); ++i)
+    if (network.is_crossing(edge.vertices[i]))
+      network.crossings[edge.vertices[i] - network.surface_vertices].halfedge = -1;
+  edge.vertices.clear();
+  edge.faces.clear();
+}
+
+std::vector<int> split_edge(Contour_network& network, int e, int at, Node_kind kind) {
+  const Contour_edge whole = network.edges[e];
+  const int last = int(whole.vertices.size()) - 1;
+  CGAL_precondition(0 <= at && at <= last);
+  if (at == 0 || at == last) return {e};
+  const int node = int(network.nodes.size());
+  network.nodes.push_back({whole.vertices[at], kind, 0});
+  Contour_edge first = whole, second = whole;
+  first.vertices.resize(at + 1);
+  first.faces.resize(at);
+  first.to = second.from = node;
+  second.vertices.erase(second.vertices.begin(), second.vertices.begin() + at);
+  second.faces.erase(second.faces.begin(), second.faces.begin() + at);
+  network.edges[e].vertices.clear();
+  network.edges[e].faces.clear();
+  const bool lonely = whole.from == whole.to && network.nodes[whole.from].kind == Node_kind::regular;
+  if (lonely) { // the loop now begins at the new node
+    second.vertices.insert(second.vertices.end(), first.vertices.begin() + 1, first.vertices.end());
+    second.faces.insert(second.faces.end(), first.faces.begin(), first.faces.end());
+    second.to = node;
+    network.edges.push_back(std::move(second));
+    return {int(network.edges.size()) - 1};
+  }
+  network.edges.push_back(std::move(first));
+  network.edges.push_back(std::move(second));
+  return {int(network.edges.size()) - 2, int(network.edges.size()) - 1};
+}
+
 std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order,
                                           int seed) {
   const int level = order.rank[seed];

@@ -14,19 +14,68 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights) {
+namespace {
+
+// A segment that one walk passes on both sides may have any count; other edges have even ones (see sampling.h).
+std::vector<char> passed_twice(const Contour_network& network, const Atlas& atlas) {
+  std::vector<char> twice(network.edges.size(), 0);
+  for (const std::shared_ptr<const Chart>& chart : atlas.charts)
+    for (const Walk& walk : chart->walks) {
+      std::set<int> seen;
+      for (const Walk_edge& e : walk.edges)
+        if (!seen.insert(e.edge).second) twice[e.edge] = 1;
+    }
+  return twice;
+}
+
+double length(const std::vector<Point>& points, const Contour_edge& edge) {
+  double sum = 0;
+  for (std::size_t k = 1; k < edge.vertices.size(); ++k)
+    sum += (points[edge.vertices[k]] - points[edge.vertices[k - 1]]).norm();
+  return sum;
+}
+
+double area(const Triangle_surface& s) {
+  double sum = 0;
+  for (const Triangle& t : s.triangles)
+    sum += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
+  return sum;
+}
+
+// The middle segment of a rectangle that closes on itself may be much shorter than the rectangle is in that direction: its wish is
+// the mean of both.
+void widen_middle_segments(const Chart& rectangle, const std::vector<char>& twice,
+                           const std::vector<int>& index, Sampling_problem& problem) {
+  double across = 0;
+  int loops = 0;
+  for (const Walk_edge& e : rectangle.walks[0].edges)
+    if (!twice[e.edge]) {
+      across += problem.edges[index[e.edge]].length;
+      ++loops;
+    }
+  if (loops == 0 || !(across > 0)) return;
+  const double along = area(rectangle.mesh) * loops / across;
+  for (const Walk_edge& e : rectangle.walks[0].edges) {
+    double& length = problem.edges[index[e.edge]].length;
+    if (twice[e.edge] && e.forward && length < along) length = 0.5 * (length + along);
+  }
+}
+
+} // namespace
+
+Layout_sampling_problem sampling_problem(const std::vector<Point>& points, const Contour_network& network,
+                                         const Atlas& atlas, const std::vector<double>& heights) {
   Layout_sampling_problem result;
-  std::vector<int> index(layout.network.edges.size(), -1);
+  std::vector<int> index(network.edges.size(), -1);
+  const std::vector<char> twice = passed_twice(network, atlas);
   double longest = 0;
-  for (std::size_t i = 0; i < layout.network.edges.size(); ++i) {
-    const Contour_edge& edge = layout.network.edges[i];
-    if (layout.network.is_removed(edge)) continue;
+  for (std::size_t i = 0; i < network.edges.size(); ++i) {
+    const Contour_edge& edge = network.edges[i];
+    if (network.is_removed(edge)) continue;
     Sampling_edge e;
-    for (std::size_t k = 1; k < edge.vertices.size(); ++k)
-      e.length += (layout.embedding.surface.points[edge.vertices[k]] -
-                   layout.embedding.surface.points[edge.vertices[k - 1]])
-                      .norm();
+    e.length = length(points, edge);
     e.minimum = edge.from == edge.to ? 4 : 2;
+    if (twice[i]) e.step = 1;
     longest = std::max(longest, e.length);
     index[i] = int(result.edges.size());
     result.edges.push_back(int(i));
@@ -34,17 +83,26 @@ Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::v
   }
   // A contour whose points all coincide still needs a positive wish.
   for (Sampling_edge& e : result.problem.edges) e.length = std::max(e.length, 1e-9 * longest);
-  for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
-    const Chart& chart = *layout.atlas.charts[c];
+  for (std::size_t c = 0; c < atlas.charts.size(); ++c) {
+    const Chart& chart = *atlas.charts[c];
     Sampling_chart s;
     s.kind = chart.kind == Chart_kind::disc ? Sampling_chart::Kind::disc : Sampling_chart::Kind::annulus;
     s.height = heights[c];
     for (const Walk& walk : chart.walks)
       for (const Walk_edge& e : walk.edges)
         (walk.side == Side::low ? s.low : s.high).push_back(index[e.edge]);
+    const std::vector<int> corners = rectangle_corners(network, chart);
+    if (!corners.empty()) {
+      std::copy(corners.begin(), corners.end(), s.corners.begin());
+      widen_middle_segments(chart, twice, index, result.problem);
+    }
     result.problem.charts.push_back(std::move(s));
   }
   return result;
+}
+
+Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights) {
+  return sampling_problem(layout.embedding.surface.points, layout.network, layout.atlas, heights);
 }
 
 namespace {
@@ -360,25 +418,16 @@ private:
 
   Result<void> relax() {
     if (!m_options.relax) return {};
-    const Surface_projector projector(m_input);
     Relax_options options = m_options.relaxation;
     options.threads = m_threads;
-    Result<Relax_report> report =
-        relax_quads(m_result.mesh, m_input, projector, {}, options, m_clock.observer());
-    if (!report) return report.error();
-    if (m_options.keep_features && m_options.features.feature_angle > 0) {
-      std::vector<char> fixed;
-      m_result.features = snap_to_features(m_result.mesh, m_input, m_options.features, fixed);
-      if (m_result.features.corners + m_result.features.vertices > 0) {
-        const Relax_report before = *report;
-        report = relax_quads(m_result.mesh, m_input, projector, fixed, options, m_clock.observer());
-        if (!report) return report.error();
-        report->worst_before = before.worst_before;
-        report->mean_before = before.mean_before;
-        report->inverted_before = before.inverted_before;
-      }
-    }
-    m_result.relaxation = *report;
+    Snap_options features = m_options.features;
+    if (!m_options.keep_features) features.feature_angle = 0;
+    Result<Finished_quads> finished =
+        finish_quads(std::move(m_result.mesh), m_input, options, features, m_clock.observer());
+    if (!finished) return finished.error();
+    m_result.mesh = std::move(finished->mesh);
+    m_result.relaxation = finished->relaxation;
+    m_result.features = finished->features;
     return {};
   }
 
@@ -414,6 +463,30 @@ private:
 };
 
 } // namespace
+
+Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
+                                    const Relax_options& relaxation, const Snap_options& features,
+                                    Observer* observer) {
+  Finished_quads result;
+  result.mesh = std::move(mesh);
+  const Surface_projector projector(input);
+  Result<Relax_report> report = relax_quads(result.mesh, input, projector, {}, relaxation, observer);
+  if (!report) return report.error();
+  if (features.feature_angle > 0) {
+    std::vector<char> fixed;
+    result.features = snap_to_features(result.mesh, input, features, fixed);
+    if (result.features.corners + result.features.vertices > 0) {
+      const Relax_report before = *report;
+      report = relax_quads(result.mesh, input, projector, fixed, relaxation, observer);
+      if (!report) return report.error();
+      report->worst_before = before.worst_before;
+      report->mean_before = before.mean_before;
+      report->inverted_before = before.inverted_before;
+    }
+  }
+  result.relaxation = *report;
+  return result;
+}
 
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Quadrangulation_options& options,
                                       Observer* observer) {

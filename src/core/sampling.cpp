@@ -83,6 +83,21 @@ Count_row row(const std::vector<int>& plus, const std::vector<int>& minus, int c
   return result;
 }
 
+std::vector<int> side_of_rectangle(const Sampling_chart& disc, int side) {
+  const std::vector<int>& walk = boundary(disc);
+  const int n = int(walk.size());
+  std::vector<int> edges;
+  for (int i = disc.corners[side]; i % n != disc.corners[(side + 1) % 4] || edges.empty(); ++i)
+    edges.push_back(walk[i % n]);
+  return edges;
+}
+
+int sum(const std::vector<int>& counts, const std::vector<int>& edges) {
+  int total = 0;
+  for (int e : edges) total += counts[e];
+  return total;
+}
+
 // A disc has an even perimeter of at least four. Where the steps and minima of its edges do not imply that,
 // an unknown for half of the perimeter does.
 void add_disc(const Sampling_problem& problem, int chart, Count_problem& counts) {
@@ -121,6 +136,27 @@ void add_quad_prices(const Sampling_problem& problem, double price, Count_proble
   }
 }
 
+void add_row(Count_row row, Count_problem& counts) {
+  if (!row.terms.empty()) counts.rows.push_back(std::move(row));
+}
+
+// The columns of an annulus as an unknown that has only one value.
+void lock_columns(const Sampling_chart& chart, int c, Count_problem& counts) {
+  if (chart.low.size() == 1) {
+    Count_variable& only = counts.variables[chart.low[0]];
+    only.minimum = chart.locked_columns;
+    only.fixed = true;
+    return;
+  }
+  Count_row columns = row(chart.low, {}, c);
+  Count_variable wanted;
+  wanted.minimum = chart.locked_columns;
+  wanted.fixed = true;
+  columns.terms.emplace_back(int(counts.variables.size()), -1);
+  counts.variables.push_back(wanted);
+  counts.rows.push_back(std::move(columns));
+}
+
 Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
                             const Sampling_options& options) {
   Count_problem counts;
@@ -141,10 +177,15 @@ Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
   if (wish.quad_price > 0) add_quad_prices(problem, wish.quad_price, counts);
   for (std::size_t c = 0; c < problem.charts.size(); ++c) {
     const Sampling_chart& chart = problem.charts[c];
-    if (chart.kind == Kind::disc)
+    if (chart.kind == Kind::disc && chart.corners[0] >= 0) {
+      for (int side = 0; side < 2; ++side)
+        add_row(row(side_of_rectangle(chart, side), side_of_rectangle(chart, side + 2), int(c)), counts);
+    } else if (chart.kind == Kind::disc) {
       add_disc(problem, int(c), counts);
-    else
+    } else {
       counts.rows.push_back(row(chart.low, chart.high, int(c)));
+      if (chart.locked_columns > 0) lock_columns(chart, int(c), counts);
+    }
   }
   for (const Sampling_equality& equality : problem.equalities)
     counts.rows.push_back(row(equality.first, equality.second, equality.chart));
@@ -185,7 +226,10 @@ Sampling complete(const Sampling_problem& problem, std::vector<int> counts, doub
     int columns = 0;
     for (int e : disc ? boundary(chart) : chart.low) columns += result.counts[e];
     const int previous = options.previous_rows.empty() ? 0 : options.previous_rows[c];
-    if (disc)
+    if (disc && chart.corners[0] >= 0)
+      result.grid.push_back(
+          {sum(result.counts, side_of_rectangle(chart, 0)), sum(result.counts, side_of_rectangle(chart, 1))});
+    else if (disc)
       result.grid.push_back({columns / 2 - columns / 4, columns / 4});
     else
       result.grid.push_back({columns, rows_for(chart, h, previous, options.stability)});

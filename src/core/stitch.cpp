@@ -241,9 +241,12 @@ public:
   }
 
   Stitched_mesh run() {
-    for (const Contour_node& node : m_network.nodes) {
-      m_out.node_vertex.push_back(int(m_out.mesh.points.size()));
-      m_out.mesh.points.push_back(m_embedding.surface.points[node.vertex]);
+    std::vector<char> used(m_network.nodes.size(), 0);
+    for (const Contour_edge& e : m_network.edges)
+      if (!m_network.is_removed(e)) used[e.from] = used[e.to] = 1;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      m_out.node_vertex.push_back(used[i] ? int(m_out.mesh.points.size()) : -1);
+      if (used[i]) m_out.mesh.points.push_back(m_embedding.surface.points[m_network.nodes[i].vertex]);
     }
     for (std::size_t e = 0; e < m_network.edges.size(); ++e) add_samples(int(e));
     for (std::size_t c = 0; c < m_atlas.charts.size(); ++c) add_chart(int(c));

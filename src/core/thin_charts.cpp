@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
 
+#include "chart_lines.h"
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -15,33 +16,6 @@ namespace {
 
 struct Plane_point {
   double v, u;
-};
-
-// Where a vertex of a chart lies on an edge of the original surface, from its representative's source (0) to target (1).
-std::optional<double> position_on_edge(const Triangle_surface& surface, const Chart& chart,
-                                       const Contour_network& network, int vertex, int edge) {
-  const int origin = chart.vertex_origin[vertex];
-  if (origin < 0) {
-    const std::size_t i = vertex - (chart.vertex_origin.size() - chart.split_chords.size());
-    const auto a = position_on_edge(surface, chart, network, chart.split_chords[i][0], edge);
-    const auto b = position_on_edge(surface, chart, network, chart.split_chords[i][1], edge);
-    if (!a || !b) return std::nullopt;
-    return 0.5 * (*a + *b);
-  }
-  if (network.is_crossing(origin)) {
-    const Edge_crossing& c = network.crossing(origin);
-    if (c.halfedge != edge) return std::nullopt;
-    return c.t;
-  }
-  if (origin == surface.source(edge)) return 0.0;
-  if (origin == surface.target(edge)) return 1.0;
-  return std::nullopt;
-}
-
-struct Line_crossing {
-  int edge; // of the original surface
-  double t;
-  int next_face; // the face of the original surface that the line enters
 };
 
 // Walks along a straight line through a chart in its plane.
@@ -58,16 +32,18 @@ public:
     std::vector<Line_crossing> crossings;
     const Triangle_surface& mesh = m_chart.mesh;
     // The first face: its far edge has one end on each side, or is reached at q itself.
-    int h = mesh.outgoing[p], exit = -1;
+    const int first = mesh.outgoing[p];
+    int h = first, exit = -1;
     double va = 0, vb = 0;
-    for (; exit < 0 && h >= 0; h = mesh.rotate_ccw(h)) {
+    do {
       const int a = mesh.target(h), far = Triangle_surface::next(h), b = mesh.target(far);
       va = m_map.v()[p] + step(h);
       vb = m_map.v()[p] - step(Triangle_surface::previous(h));
       first_face = m_chart.face_origin[h / 3];
       if (is_end(a, va, q) || is_end(b, vb, q)) return crossings;
       if (!left(a, va) && left(b, vb)) exit = far;
-    }
+      h = mesh.rotate_ccw(h);
+    } while (exit < 0 && h >= 0 && h != first);
     if (exit < 0) return astray();
     for (int steps = 0; steps <= mesh.number_of_faces(); ++steps) {
       const int entry = mesh.opposite[exit];
@@ -122,27 +98,6 @@ private:
   Plane_point m_start{}, m_end{};
 };
 
-// A line that leaves a face of the original surface by the edge it came through, or begins or ends by crossing an edge at its own
-// end, can be pulled back over it: nothing lies between.
-void pull_tight(const Triangle_surface& surface, int start, int end, int& first_face,
-                std::vector<Line_crossing>& c) {
-  const auto touches = [&](int edge, int vertex) {
-    return surface.source(edge) == vertex || surface.target(edge) == vertex;
-  };
-  std::vector<Line_crossing> tight;
-  for (const Line_crossing& x : c) {
-    if (!tight.empty() && tight.back().edge == x.edge)
-      tight.pop_back();
-    else if (tight.empty() && touches(x.edge, start))
-      first_face = x.next_face;
-    else
-      tight.push_back(x);
-    if (tight.empty()) first_face = x.next_face;
-  }
-  while (!tight.empty() && touches(tight.back().edge, end)) tight.pop_back();
-  c = std::move(tight);
-}
-
 int visit_node(const Contour_network& network, const Walk_edge& e) {
   return e.forward ? network.edges[e.edge].from : network.edges[e.edge].to;
 }
@@ -150,15 +105,14 @@ int visit_node(const Contour_network& network, const Walk_edge& e) {
 } // namespace
 
 Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& chart,
-                                const Chart_parameterization& map, int from, int to, double turns,
-                                bool reverse, Contour_network& network) {
-  const int p = chart.walks[0].vertices[from], q = chart.walks[1].vertices[to];
+                                const Chart_parameterization& map, int p, int q, double end_v,
+                                Contour_network& network) {
   int first_face = -1;
   Result<std::vector<Line_crossing>> line =
-      Line_tracer(surface, chart, map, network).trace(p, q, map.v()[q] + turns, first_face);
+      Line_tracer(surface, chart, map, network).trace(p, q, end_v, first_face);
   if (!line) return line.error();
   const int start = chart.vertex_origin[p], end = chart.vertex_origin[q];
-  pull_tight(surface, start, end, first_face, *line);
+  pull_tight(surface, network, start, end, first_face, *line);
   Contour_edge edge;
   edge.vertices.push_back(start);
   edge.faces.push_back(first_face);
@@ -168,10 +122,18 @@ Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& ch
     edge.faces.push_back(c.next_face);
   }
   edge.vertices.push_back(end);
-  if (line->empty()) edge.faces.back() = -1; // two corners of one face: the line is their edge
-  if (reverse) {
-    std::reverse(edge.vertices.begin(), edge.vertices.end());
-    std::reverse(edge.faces.begin(), edge.faces.end());
+  if (line->empty() && are_on_one_edge(surface, network, start, end)) edge.faces.back() = -1;
+  return edge;
+}
+
+Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& chart,
+                                const Chart_parameterization& map, int from, int to, double turns,
+                                bool reverse, Contour_network& network) {
+  const int p = chart.walks[0].vertices[from], q = chart.walks[1].vertices[to];
+  Result<Contour_edge> edge = trace_line(surface, chart, map, p, q, map.v()[q] + turns, network);
+  if (edge && reverse) {
+    std::reverse(edge->vertices.begin(), edge->vertices.end());
+    std::reverse(edge->faces.begin(), edge->faces.end());
   }
   return edge;
 }
@@ -232,15 +194,6 @@ void separate_new_crossings(Contour_network& network, int first_new) {
       begin = end;
     }
   }
-}
-
-void remove_edge(Contour_network& network, int e) {
-  Contour_edge& edge = network.edges[e];
-  for (std::size_t i = 1; i + 1 < edge.vertices.size(); ++i)
-    if (network.is_crossing(edge.vertices[i]))
-      network.crossings[edge.vertices[i] - network.surface_vertices].halfedge = -1;
-  edge.vertices.clear();
-  edge.faces.clear();
 }
 
 } // namespace

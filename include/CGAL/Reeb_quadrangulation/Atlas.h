@@ -12,7 +12,8 @@ namespace Reeb_quadrangulation {
 
 enum class Chart_kind : signed char {
   annulus, ///< one LOW walk, one HIGH walk
-  disc     ///< one walk around one extremum, or a rectangle between four fractional saddles
+  disc,    ///< one walk around one extremum, or a rectangle between four fractional saddles
+  region   ///< anything else, see `cut_region()`
 };
 
 /// A contour edge as a walk passes it.
@@ -52,6 +53,15 @@ struct Atlas {
   std::vector<std::array<int, 2>>
       charts_of_edge; ///< per contour edge: left and right chart; -1 outside the surface
 };
+
+/// The union of the faces that can be reached from `face` (of the embedding) without crossing a contour, as a mesh of its own, of
+/// any topology. O(F). Fails with `internal_error` if a border runs along both sides of contours.
+Result<Chart> cut_region(const Embedding& embedding, const Contour_network& network,
+                         const std::vector<int>& extrema, int face);
+
+/// The walks of a disc that is a rectangle begin their sides where they pass a half- or quarter-saddle: the indices of those four
+/// edges, or nothing if it is not a rectangle.
+std::vector<int> rectangle_corners(const Contour_network& network, const Chart& chart);
 
 /// The Reeb graph of the field that the contours belong to: an arc for each chart, a node for each contour (a connected
 /// part of the network) and each extremum. Regular vertices of an arc are the interior vertices of its chart.

@@ -59,6 +59,14 @@ struct Contour_network {
   Point position(const Triangle_surface& surface, int vertex) const;
 };
 
+/// Removes a contour edge and its crossings. Its nodes stay.
+void remove_edge(Contour_network& network, int edge);
+
+/// Cuts a contour edge at its vertex number `at`, which becomes a node of the given kind (the edge itself is removed, its
+/// crossings stay). Returns the two new edges; for a loop at a node of kind `regular` that no other edge has, the only one.
+/// If `at` is 0, or the last vertex, nothing is cut and the edge is returned.
+std::vector<int> split_edge(Contour_network& network, int edge, int at, Node_kind kind = Node_kind::regular);
+
 /// A contour as it is traced, before it is placed: the halfedges that it crosses, in order, each from its lower to its
 /// higher end, so that the upper side is on the left.
 struct Traced_contour {

@@ -89,6 +89,19 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
 
+/// Quads after the last stage, and what it did.
+struct Finished_quads {
+  Quad_mesh mesh;
+  Relax_report relaxation;
+  Snap_report features;
+};
+
+/// The last stage: relaxes quads on the input surface; where `features.feature_angle > 0`, moves vertices onto sharp edges and
+/// relaxes again with these held.
+Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
+                                    const Relax_options& relaxation = {}, const Snap_options& features = {},
+                                    Observer* observer = nullptr);
+
 /// The extrema that the options ask for, in increasing order, and whether each boundary loop is a maximum; `values` is left empty.
 Result<Designed_field> choose_extrema(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
@@ -99,11 +112,13 @@ Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_
                          Designed_field& field);
 
 /// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left out: its edge `i` is
-/// contour edge `edges[i]` of the network.
+/// contour edge `edges[i]` of the network. `points` are those of the network's vertices.
 struct Layout_sampling_problem {
   Sampling_problem problem;
   std::vector<int> edges;
 };
+Layout_sampling_problem sampling_problem(const std::vector<Point>& points, const Contour_network& network,
+                                         const Atlas& atlas, const std::vector<double>& heights);
 Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights);
 
 } // namespace Reeb_quadrangulation

@@ -36,10 +36,13 @@ struct Sampling_edge {
 struct Sampling_chart {
   enum class Kind { annulus, disc };
   Kind kind = Kind::annulus;
-  std::vector<int> low;  ///< edges of the lower walk; of a disc around a maximum, its boundary
-  std::vector<int> high; ///< edges of the upper walk; of a disc around a minimum, its boundary
-  double height = 0;     ///< mean length across, from walk to walk (annuli only)
-  int locked_rows = 0;   ///< rows to keep, or 0 (annuli only)
+  std::vector<int> low;   ///< edges of the lower walk; of a disc around a maximum, its boundary
+  std::vector<int> high;  ///< edges of the upper walk; of a disc around a minimum, its boundary
+  double height = 0;      ///< mean length across, from walk to walk (annuli only)
+  int locked_rows = 0;    ///< rows to keep, or 0 (annuli only)
+  int locked_columns = 0; ///< columns to keep, or 0 (annuli only)
+  /// A disc that is a rectangle: the entries of its boundary where its four sides begin; opposite sides get equal sums.
+  std::array<int, 4> corners{{-1, -1, -1, -1}};
 };
 
 /// Asks that the counts of two lists of edges have equal sums, as pinned corners do for opposite sides of a
@@ -58,7 +61,7 @@ struct Sampling_problem {
 };
 
 /// A solution. An annulus has `grid = {columns, rows}`, a disc `grid = {a, b}` with `2 (a + b)` edges around
-/// it and `a - b` zero or one; either has `grid[0] * grid[1]` quads.
+/// it and `a - b` zero or one, or its first two sides if it is a rectangle; either has `grid[0] * grid[1]` quads.
 struct Sampling {
   std::vector<int> counts;              ///< one for each edge
   std::vector<std::array<int, 2>> grid; ///< one for each chart

@@ -18,6 +18,12 @@ Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& ch
                                 const Chart_parameterization& map, int from, int to, double turns,
                                 bool reverse, Contour_network& network);
 
+/// The same between any two vertices of a chart (an annulus or a disc) that is solved for V: from `p` to `q`, whose V is `end_v` as seen
+/// from p along the line.
+Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& chart,
+                                const Chart_parameterization& map, int p, int q, double end_v,
+                                Contour_network& network);
+
 /// Aligns the saddles on the two contours of an annulus on one contour, so that the chart vanishes: the new contour goes
 /// through all visits of both walks in the order of their natural V; pieces between neighbours on one walk stay, the others
 /// are straight lines in the chart. Every node keeps its valence. The old pieces are removed from the network.

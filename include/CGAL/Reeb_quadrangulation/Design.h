@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_DESIGN_H
+#define CGAL_REEB_QUADRANGULATION_DESIGN_H
+
+#include <CGAL/Reeb_quadrangulation/Edit.h>
+#include <CGAL/Reeb_quadrangulation/stitch.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// An extremum of a design.
+struct Design_extremum {
+  int vertex = -1;
+  bool is_maximum = false;
+  double value = 0; ///< of the field, 0 to 1
+  Pole_kind pole = Pole_kind::quarter;
+  int segment = -1; ///< of a half-pole: its contour edge; `vertex` is then a vertex of the surface near it
+};
+
+/// What the user asked of a chart.
+struct Chart_settings {
+  int columns = 0; ///< of an annulus; 0 = free
+  int rows = 0;
+  int corner = -1; ///< of a disc: the sample where its first corner lies; -1 = the best fit
+  Texture_placement placement() const {
+    Texture_placement p;
+    p.shift = shift;
+    p.grading = grading;
+    p.corner = corner;
+    return p;
+  }
+  int shift = 0;
+  double grading = 1;
+  bool locked = false;
+
+  bool operator==(const Chart_settings& o) const {
+    return columns == o.columns && rows == o.rows && corner == o.corner && shift == o.shift &&
+           grading == o.grading && locked == o.locked;
+  }
+};
+
+/// A chart of a design with its map and its texture: an immutable value that states share.
+struct Design_chart {
+  int id = -1; ///< for life: a chart keeps it as long as the contours around it stay
+  std::shared_ptr<const Chart> chart;
+  std::shared_ptr<const Chart_parameterization> map; ///< of an annulus, with V solved for the present counts
+  Placed_texture texture;
+  std::array<int, 2> grid{{0, 0}}; ///< columns and rows
+  double height = 0;               ///< of an annulus
+  Chart_settings settings;
+};
+
+/// The state of a design: everything that the quad mesh follows from.
+struct Design {
+  Contour_network network;
+  std::vector<Design_extremum> extrema; ///< by increasing vertex
+  Contour_samples samples;
+  int target_quads = 0;   ///< as last asked for; 0 if an edge length was
+  double edge_length = 0; ///< of the quads, as the counts have been chosen for
+  int next_chart = 0;     ///< the identity that the next chart gets
+  std::vector<std::shared_ptr<const Design_chart>> charts; ///< parallel to the atlas's
+  Atlas atlas;
+  std::shared_ptr<const Embedding> embedding;
+
+  /// The index of the chart with an identity, or -1.
+  int index_of(int id) const;
+};
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_DESIGN_H

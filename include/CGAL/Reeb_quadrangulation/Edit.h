@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_EDIT_H
+#define CGAL_REEB_QUADRANGULATION_EDIT_H
+
+#include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// \file
+/// The edits of a design, as values. They name contours, charts and saddles by points on the surface, so that a list of them (a
+/// recipe) also runs on another triangulation of the same shape.
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// A point on the surface. `vertex` is a hint: it is taken if it is a vertex at exactly this point; else the nearest one is.
+struct Surface_point {
+  Point point = Point::Zero();
+  int vertex = -1;
+};
+
+/// How far an edit of extrema reaches.
+enum class Edit_scope : signed char {
+  chart,  ///< only the charts around the extremum are designed anew; all other contours stay
+  surface ///< the field is solved on the whole surface; edits of contours are lost
+};
+
+/// How an extremum becomes quads (paper, section 6.3).
+enum class Pole_kind : signed char {
+  whole,  ///< one vertex in a fan of triangles: not all-quad
+  half,   ///< the two ends of a segment, of valence 2
+  quarter ///< four vertices of valence 3 (default)
+};
+
+/// How a saddle becomes vertices.
+enum class Saddle_kind : signed char {
+  half,   ///< two vertices of valence 6, joined by a segment
+  quarter ///< four vertices of valence 5 around a rectangle
+};
+
+/// \name Extrema
+/// Points of extrema mean the nearest vertex, except those that name an existing extremum: the nearest one.
+/// @{
+
+/// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`.
+struct Suggest {
+  double persistence = 0.08;
+  Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
+};
+/// Places all extrema by hand and designs the whole field anew.
+struct Set_extrema {
+  struct Extremum {
+    Surface_point at;
+    bool is_maximum = false;
+    double value = -1; ///< in [0, 1]; negative: 0 for a minimum, 1 for a maximum
+  };
+  std::vector<Extremum> extrema;
+};
+/// Adds an extremum. In a chart its value is `strength`, in (0, 1), of the way to where it would break a contour around it.
+struct Add_extremum {
+  Surface_point at;
+  bool is_maximum = false;
+  Edit_scope scope = Edit_scope::chart;
+  double strength = 0.9;
+};
+struct Remove_extremum {
+  Surface_point at;
+  Edit_scope scope = Edit_scope::chart;
+};
+struct Move_extremum {
+  Surface_point from, to;
+  Edit_scope scope = Edit_scope::chart;
+};
+/// Changes the value that the field has at an extremum, in [0, 1], and solves it again on the whole surface.
+struct Change_value {
+  Surface_point at;
+  double value = 0;
+};
+/// @}
+
+/// \name Contours
+/// Points of contours mean the nearest contour.
+/// @{
+
+/// Moves a contour to the intersection of the surface with a plane. A loop at a saddle keeps its saddle: the plane is shifted to go
+/// through it. With two `anchors` on the contour only the part between them that is nearest to `at` moves, in the plane through both
+/// whose normal is nearest to the one given.
+struct Move_contour {
+  Surface_point at;
+  Point plane_point = Point::Zero();
+  Eigen::Vector3d plane_normal = Eigen::Vector3d(0, 0, 1);
+  std::vector<Surface_point> anchors; ///< none or two
+};
+/// Moves a contour without saddles to the level line through a vertex.
+struct Drag_contour {
+  Surface_point at, to;
+};
+/// Pulls a contour as short as its charts allow, or onto sharp edges near it.
+struct Straighten_contour {
+  Surface_point at;
+};
+struct Snap_contour {
+  Surface_point at;
+  double feature_angle = 45; ///< degrees
+};
+/// Draws the level line of a chart through a vertex as a new contour.
+struct Subdivide_chart {
+  Surface_point at;
+};
+/// Removes a contour without saddles; its two charts become one.
+struct Remove_contour {
+  Surface_point at;
+};
+/// Joins the saddles on both sides of a chart on one contour: the chart vanishes.
+struct Align_saddles {
+  Surface_point first, second; ///< two saddles on the two sides of one chart
+};
+struct Collapse_chart {
+  Surface_point at;
+};
+/// Collapses the charts that are thinner than half a quad, the thinnest first, as long as charts result.
+struct Collapse_thin_charts {};
+/// @}
+
+/// \name Fractional poles and saddles
+/// @{
+
+/// Splits the pole of an extremum. A half-pole's segment runs between `ends`; without ends, across the cap.
+struct Split_pole {
+  Surface_point at;
+  Pole_kind kind = Pole_kind::quarter;
+  std::vector<Surface_point> ends; ///< none or two, for half-poles
+};
+/// Moves the corner of a cap that is nearest to `at` along its contour to the sample nearest to `to`; the other three follow.
+struct Move_corner {
+  Surface_point at, to;
+};
+/// Splits a simple saddle. `points`, if given, are the two new vertices of half-saddles, in the two charts that pass it once; or the
+/// four corners of quarter-saddles on its contours.
+struct Split_saddle {
+  Surface_point at;
+  Saddle_kind kind = Saddle_kind::half;
+  std::vector<Surface_point> points;
+  double size =
+      0; ///< without points: distance of the new vertices from the saddle; 0 = the length of a quad's edge
+};
+/// Makes the disc that passes half-saddles four times a rectangle with its corners there: the saddles become regular.
+struct Pin_corners {
+  Surface_point at; ///< in the disc, or its extremum
+};
+/// @}
+
+/// \name Counts and alignment
+/// @{
+
+/// Sets the size of all quads: by their number or their edges' length, whichever is positive.
+struct Set_target {
+  int quads = 0;
+  double edge_length = 0;
+};
+/// Sets the number of columns around an annulus, or of rows across it; 0 = free.
+struct Set_columns {
+  Surface_point at;
+  int columns = 0;
+};
+struct Set_rows {
+  Surface_point at;
+  int rows = 0;
+};
+/// Turns the upper contour of an annulus by columns eastward, beyond the best fit.
+struct Set_shift {
+  Surface_point at;
+  int shift = 0;
+};
+/// Makes the rows of an annulus denser at one end: the height of the uppermost over that of the lowest.
+struct Set_grading {
+  Surface_point at;
+  double ratio = 1;
+};
+/// A locked chart keeps its contours, counts and texture; edits that would change it are refused.
+struct Lock_chart {
+  Surface_point at;
+  bool locked = true;
+};
+/// @}
+
+using Edit = std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
+                          Move_contour, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
+                          Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole,
+                          Move_corner, Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows,
+                          Set_shift, Set_grading, Lock_chart>;
+
+/// The name of an edit in recipes and messages: "subdivide_chart".
+const char* name(const Edit& edit);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_EDIT_H

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_EDITOR_H
+#define CGAL_REEB_QUADRANGULATION_EDITOR_H
+
+#include <CGAL/Reeb_quadrangulation/Design.h>
+#include <CGAL/Reeb_quadrangulation/Edit.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// Options of an editing session. They are part of what a recipe depends on.
+struct Editor_options {
+  int quads = 3000;       ///< of the first design; later `Set_target` edits change it
+  double edge_length = 0; ///< used instead if positive
+  bool prepare = true;    ///< work on a refined copy where the surface is coarse; see `prepare_surface()`
+  double sample_blend = 0.5;
+  int threads = 0; ///< charts solved at once; 0 = as many as the machine has. Results do not depend on it
+};
+
+/// What an edit, an undo or a redo changed.
+struct Edit_report {
+  std::vector<int> new_charts, removed_charts;     ///< identities; see `Design_chart::id`
+  std::vector<int> remeshed_charts;                ///< kept charts with other counts or another texture
+  std::vector<int> new_contours, removed_contours; ///< contour edges
+  std::vector<int> changed_counts;                 ///< kept contour edges with another count
+  double seconds = 0;                              ///< wall time
+};
+
+/// An editing session: a design and its history.
+///
+/// Every edit is checked before it is applied. A refused one returns `Error_code::refused_edit` (or `impossible_request`,
+/// `infeasible_sampling`) with the reason and the element, and leaves everything as it was. States are immutable values that share
+/// what they have in common: undo and redo exchange them and give the same bytes again. The time of an edit is that of its charts,
+/// plus O(F) integer work for cutting the surface.
+class Editor {
+public:
+  /// Begins a session on a connected surface; the first design has no extrema, contours or charts until `Suggest` or `Set_extrema`
+  /// gives it some. Fails like `quadrangulate()` if the surface is not one that the method takes.
+  static Result<Editor> create(Triangle_surface surface, const Editor_options& options = {},
+                               Observer* observer = nullptr);
+  ~Editor();
+  Editor(Editor&&) noexcept;
+  Editor& operator=(Editor&&) noexcept;
+
+  /// Applies an edit; redoable edits are forgotten.
+  Result<Edit_report> apply(const Edit& edit, Observer* observer = nullptr);
+
+  bool can_undo() const;
+  bool can_redo() const;
+  Edit_report undo(); ///< \pre `can_undo()`
+  Edit_report redo(); ///< \pre `can_redo()`
+
+  /// The edits that lead to the present design, then those that can be redone.
+  const std::vector<Edit>& edits() const;
+  /// How many of them are applied.
+  int position() const;
+
+  const Design& design() const;
+  const Triangle_surface& input() const;           ///< as given
+  const Triangle_surface& working_surface() const; ///< that the design lives on
+  const Editor_options& options() const;
+
+  /// The chart of the design that contains a point, or -1.
+  int chart_at(const Surface_point& point) const;
+
+  /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads).
+  Stitched_mesh quads() const;
+  /// The same, relaxed on the input surface with its features kept, as `quadrangulate()` ends.
+  Result<Stitched_mesh> finished_quads(const Relax_options& relaxation = {},
+                                       const Snap_options& features = {}, Observer* observer = nullptr) const;
+
+private:
+  struct Implementation;
+  explicit Editor(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> m_implementation;
+};
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_EDITOR_H

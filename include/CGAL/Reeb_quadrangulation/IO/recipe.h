@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_IO_RECIPE_H
+#define CGAL_REEB_QUADRANGULATION_IO_RECIPE_H
+
+#include <CGAL/Reeb_quadrangulation/Editor.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// A design as the list of edits that lead to it. Applied to the same surface it gives the same bytes; on another triangulation of
+/// the same shape, the same design.
+struct Recipe {
+  Editor_options options; ///< without the number of threads
+  std::vector<Edit> edits;
+};
+
+/// The text of a recipe: JSON, as doc/Reeb_quadrangulation/recipes.md describes it. Numbers have 17 digits, so that it is read back to
+/// the same values. Fields that have their defaults are written too.
+std::string to_json(const Recipe& recipe);
+
+/// Reads a recipe. Fails with `malformed_file`, naming the line or the edit, where the text is not JSON, the format or version is
+/// another one, an edit or a field is unknown, a field is missing or of the wrong type, or a number is not finite.
+Result<Recipe> recipe_from_json(const std::string& text);
+
+/// One edit as a JSON object: {"edit": "subdivide_chart", "at": {"point": [x, y, z], "vertex": 17}}.
+std::string to_json(const Edit& edit);
+Result<Edit> edit_from_json(const std::string& text);
+
+/// The recipe of a session up to its present state.
+Recipe recipe_of(const Editor& editor);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_IO_RECIPE_H

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Design_output.h"
+
+#include "Failure.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
+#include <CGAL/Reeb_quadrangulation/picture_scene.h>
+#include <CGAL/Reeb_quadrangulation/render.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+using Json = nlohmann::ordered_json;
+
+Design_output::Design_output(const Editor& editor, const Stitched_mesh& quads)
+    : m_editor(editor), m_quads(quads), m_certificate(certify({quads.mesh, &editor.input(), quads.valences})),
+      m_statistics(quad_statistics(quads.mesh, &editor.input())) {}
+
+std::string Design_output::text() const {
+  return to_text(m_certificate) + "\n" + to_text(m_statistics);
+}
+
+std::string Design_output::report(const std::string& input, const std::string& output) const {
+  const Design& design = m_editor.design();
+  Json out;
+  out["schema"] = 1;
+  out["version"] = REEBQUAD_VERSION;
+  out["input"] = input;
+  out["output"] = output.empty() ? Json(nullptr) : Json(output);
+  out["edits"] = Json::array();
+  for (int i = 0; i < m_editor.position(); ++i) out["edits"].push_back(name(m_editor.edits()[i]));
+  int discs = 0;
+  for (const auto& chart : design.charts) discs += chart->chart->kind == Chart_kind::disc;
+  out["design"] = {{"charts", design.charts.size()},
+                   {"discs", discs},
+                   {"extrema", design.extrema.size()},
+                   {"edge_length", design.edge_length}};
+  out["predicted_valences"] = Json::object();
+  for (const auto& [valence, number] : m_quads.valences)
+    out["predicted_valences"][std::to_string(valence)] = number;
+  out["certificate"] = Json::parse(to_json(m_certificate));
+  out["statistics"] = Json::parse(to_json(m_statistics));
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+namespace {
+
+void add_contours(Scene& scene, const Design& design) {
+  const std::vector<Point>& points = design.embedding->surface.points;
+  for (const Contour_edge& edge : design.network.edges)
+    for (std::size_t i = 1; i < edge.vertices.size(); ++i)
+      scene.lines.push_back({points[edge.vertices[i - 1]], points[edge.vertices[i]], {24, 24, 30}, 2.5});
+  for (const Design_extremum& e : design.extrema)
+    scene.dots.push_back({points[e.vertex], e.is_maximum ? Colour{196, 64, 48} : Colour{40, 90, 160}});
+}
+
+} // namespace
+
+void Design_output::write_pictures(const std::string& folder) const {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw Failure(Exit_code::other_failure, folder + ": the folder cannot be made: " + failed.message());
+  constexpr int width = 960, height = 720;
+  const auto write = [&](const Scene& scene, const char* file_name) {
+    const std::string file = (std::filesystem::path(folder) / file_name).string();
+    succeed_or_fail(write_png(render(scene, camera(View::three_quarter, Up_axis::z), width, height), file),
+                    file);
+  };
+  const Design& design = m_editor.design();
+  Scene charts = face_colour_scene(design.embedding->surface, design.atlas.chart_of_face);
+  add_contours(charts, design);
+  write(charts, "charts.png");
+  write(quad_scene(m_quads.mesh), "quads.png");
+}
+
+} // namespace reebquad

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// reebquad replay INPUT RECIPE -o QUADS: designs a quad mesh by the edits of a recipe.
+#include "Command.h"
+#include "Design_output.h"
+#include "Input.h"
+#include "Interruption.h"
+#include "Terminal_observer.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
+#include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+namespace po = boost::program_options;
+
+namespace {
+
+struct Replay_options {
+  std::string input, recipe, output, report, pictures;
+  int until = -1;
+  int threads = 0;
+  double feature_angle = 45;
+  bool relax = true;
+  bool quiet = false;
+};
+
+std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
+  Command_line line("replay INPUT RECIPE -o QUADS [options]");
+  line.options.add_options()("output,o", po::value<std::string>()->value_name("FILE"), "the quad mesh")(
+      "until", po::value<int>()->value_name("K"), "apply the first K edits only")(
+      "report", po::value<std::string>()->value_name("FILE"), "write all numbers as JSON")(
+      "pictures", po::value<std::string>()->value_name("DIR"), "write PNG pictures into this folder")(
+      "threads", po::value<int>()->value_name("N")->default_value(0),
+      "how many threads; 0: as many as there are")("no-relax", "do not relax the quads on the surface")(
+      "feature-angle", po::value<double>()->value_name("DEGREES")->default_value(45),
+      "quads keep edges whose faces' normals differ by more; 0: none")("quiet", "print errors only");
+  line.take("INPUT");
+  line.take("RECIPE");
+  if (!line.parse(arguments)) return std::nullopt;
+  Replay_options options;
+  options.input = line.required("INPUT");
+  options.recipe = line.required("RECIPE");
+  options.output = line.required("output");
+  if (line.has("report")) options.report = line.text("report");
+  if (line.has("pictures")) options.pictures = line.text("pictures");
+  if (line.has("until")) {
+    options.until = line.values["until"].as<int>();
+    if (options.until < 1) throw Usage_error("--until takes the number of edits to apply, 1 or more");
+  }
+  options.threads = line.values["threads"].as<int>();
+  if (options.threads < 0 || options.threads > 1024) throw Usage_error("--threads lies between 0 and 1024");
+  options.feature_angle = line.values["feature-angle"].as<double>();
+  if (!(options.feature_angle >= 0 && options.feature_angle <= 180))
+    throw Usage_error("--feature-angle lies between 0 and 180");
+  options.relax = !line.has("no-relax");
+  options.quiet = line.has("quiet");
+  return options;
+}
+
+std::string read_text(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf()))
+    throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
+  return text.str();
+}
+
+Triangle_surface read_component(const std::string& file) {
+  Mended_surface mended = value_or_fail(mend_surface(read_soup(file)), file);
+  if (mended.components.size() != 1)
+    throw Failure(Exit_code::not_a_surface, file + ": a recipe is for one connected surface, this file has " +
+                                                std::to_string(mended.components.size()));
+  return std::move(mended.components[0].surface);
+}
+
+// Applies the edits; says which one no longer applies.
+void apply_edits(Editor& editor, const Recipe& recipe, const Replay_options& options, Observer& observer) {
+  const std::size_t last = options.until < 0 ? recipe.edits.size() : std::size_t(options.until);
+  if (last > recipe.edits.size())
+    throw Usage_error("--until " + std::to_string(last) + ": the recipe has " +
+                      std::to_string(recipe.edits.size()) + " edits");
+  for (std::size_t i = 0; i < last; ++i) {
+    const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
+    if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    if (!done)
+      throw Failure(exit_code(done.error().code), options.recipe + ": edit " + std::to_string(i + 1) + " (" +
+                                                      name(recipe.edits[i]) +
+                                                      ") does not apply: " + done.error().message);
+  }
+}
+
+} // namespace
+
+Exit_code execute_replay(const Arguments& arguments) {
+  const std::optional<Replay_options> options = parse_replay_options(arguments);
+  if (!options) return Exit_code::success;
+  require_writable_format(options->output);
+  watch_for_interruption();
+  Terminal_observer observer(options->quiet);
+  Recipe recipe = value_or_fail(recipe_from_json(read_text(options->recipe)), options->recipe);
+  recipe.options.threads = options->threads;
+  Editor editor = value_or_fail(Editor::create(read_component(options->input), recipe.options, &observer),
+                                options->input);
+  apply_edits(editor, recipe, *options, observer);
+
+  Snap_options features;
+  features.feature_angle = options->feature_angle;
+  const Stitched_mesh quads =
+      options->relax ? value_or_fail(editor.finished_quads({}, features, &observer), options->input)
+                     : editor.quads();
+  const Design_output output(editor, quads);
+  observer.clear();
+  const bool passed = output.certificate().passed;
+  if (passed && !options->pictures.empty()) output.write_pictures(options->pictures);
+  {
+    const Uninterruptible whole;
+    if (passed)
+      for (const std::string& warning :
+           value_or_fail(write_mesh(options->output, quads.mesh), options->output))
+        std::cerr << "reebquad: " << options->output << ": " << warning << '\n';
+    if (!options->report.empty())
+      succeed_or_fail(write_file_atomically(options->report,
+                                            output.report(options->input, passed ? options->output : "")),
+                      options->report);
+  }
+  if (!options->quiet) std::cout << output.text();
+  if (!passed) {
+    std::cerr << "reebquad: the certificate failed; nothing is written to " << options->output << '\n';
+    return Exit_code::certificate_failed;
+  }
+  if (!options->quiet) std::cout << "\ncertified: " << options->output << '\n';
+  return Exit_code::success;
+}
+
+} // namespace reebquad

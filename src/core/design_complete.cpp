@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From contours to textures: what is new in a draft is mapped, sampled and filled.
+#include "design_draft.h"
+
+#include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+class Completion {
+public:
+  Completion(Draft& draft, Edit_report& report) : m_draft(draft), m_before(draft.before()), m_report(report) {
+    const int threads = draft.options().threads;
+    m_threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  }
+
+  Result<Design> run() {
+    take_over();
+    if (Result<void> kept = keep_locked(); !kept) return kept.error();
+    if (Result<void> done = prepare_maps(); !done) return done.error();
+    if (Result<void> done = sample(); !done) return done.error();
+    if (Result<void> done = place(); !done) return done.error();
+    m_design.atlas = m_draft.atlas();
+    m_design.embedding = m_draft.shared_embedding();
+    m_design.network = std::move(m_draft.network);
+    m_design.extrema = std::move(m_draft.extrema);
+    report_changes();
+    return std::move(m_design);
+  }
+
+private:
+  int number_of_charts() const { return int(m_draft.atlas().charts.size()); }
+  const Design_chart* old_chart(int c) const {
+    return m_draft.origin(c) >= 0 ? m_before.charts[m_draft.origin(c)].get() : nullptr;
+  }
+  bool cancelled() const { return m_draft.observer() && m_draft.observer()->cancelled(); }
+
+  // Settings of the charts that stay; the others begin afresh.
+  void take_over() {
+    m_design.next_chart = m_before.next_chart;
+    m_design.target_quads = m_draft.target_quads;
+    m_design.edge_length = m_draft.edge_length;
+    m_ids.resize(number_of_charts());
+    m_settings.resize(number_of_charts());
+    for (int c = 0; c < number_of_charts(); ++c) {
+      const Design_chart* old = old_chart(c);
+      m_ids[c] = old ? old->id : m_design.next_chart++;
+      if (old) m_settings[c] = m_draft.settings.at(old->id);
+    }
+  }
+
+  Result<void> keep_locked() const {
+    std::vector<char> stays(m_before.charts.size(), 0);
+    for (int c = 0; c < number_of_charts(); ++c)
+      if (m_draft.origin(c) >= 0) stays[m_draft.origin(c)] = 1;
+    for (std::size_t i = 0; i < stays.size(); ++i)
+      if (!stays[i] && m_before.charts[i]->settings.locked)
+        return refuse("the edit would change a locked chart", {}, Element_kind::chart,
+                      m_before.charts[i]->id);
+    return {};
+  }
+
+  template <class Work> Result<void> for_each(const std::vector<int>& charts, const Work& work) {
+    std::vector<int> order = charts; // the largest first, so that two threads end together
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      const int fa = m_draft.chart(a).mesh.number_of_faces(), fb = m_draft.chart(b).mesh.number_of_faces();
+      return fa != fb ? fa > fb : a < b;
+    });
+    std::vector<Result<void>> done(order.size());
+    internal::parallel_for(int(order.size()), m_threads, [&](int i) {
+      if (cancelled())
+        done[i] = make_error(Error_code::cancelled, "cancelled by the user");
+      else
+        done[i] = work(order[i]);
+    });
+    for (Result<void>& result : done)
+      if (!result) return result;
+    return {};
+  }
+
+  Result<void> prepare_maps() {
+    std::vector<int> missing;
+    for (int c = 0; c < number_of_charts(); ++c)
+      if (!m_draft.has_map(c)) missing.push_back(c);
+    return for_each(missing, [&](int c) -> Result<void> {
+      if (Result<std::shared_ptr<const Chart_parameterization>> map = m_draft.map(c); !map)
+        return map.error();
+      return {};
+    });
+  }
+
+  const Chart_parameterization& map(int c) { return **m_draft.map(c); }
+
+  // Counts stay where nothing demands a change; contour edges that stay keep their parameter.
+  Result<void> sample() {
+    std::vector<const Chart_parameterization*> maps;
+    m_heights.assign(number_of_charts(), 0);
+    for (int c = 0; c < number_of_charts(); ++c) {
+      maps.push_back(&map(c));
+      if (m_draft.chart(c).kind == Chart_kind::annulus) m_heights[c] = maps[c]->profile().total();
+    }
+    m_design.samples.parameter =
+        contour_parameters(m_draft.embedding(), m_draft.network, m_draft.atlas(), maps,
+                           m_draft.options().sample_blend, m_before.samples.parameter);
+    Layout_sampling_problem layout =
+        sampling_problem(m_draft.embedding().surface.points, m_draft.network, m_draft.atlas(), m_heights);
+    Sampling_options options;
+    add_wishes(layout, options);
+    const double h = m_draft.edge_length;
+    Result<Sampling> sampling = m_draft.resample && m_draft.target_quads > 0
+                                    ? sample_for_quads(layout.problem, m_draft.target_quads)
+                                    : sample_layout(layout.problem, h, options);
+    if (!sampling) return sampling.error();
+    m_design.edge_length = sampling->edge_length;
+    m_design.samples.counts.assign(m_draft.network.edges.size(), 0);
+    for (std::size_t i = 0; i < layout.edges.size(); ++i)
+      m_design.samples.counts[layout.edges[i]] = sampling->counts[i];
+    m_grid = sampling->grid;
+    return {};
+  }
+
+  void add_wishes(Layout_sampling_problem& layout, Sampling_options& options) const {
+    if (!m_draft.resample) {
+      options.previous_edge_length = m_draft.edge_length;
+      for (int e : layout.edges) {
+        const bool known = e < int(m_before.samples.counts.size());
+        options.previous_counts.push_back(known ? m_before.samples.counts[e] : 0);
+      }
+      for (int c = 0; c < number_of_charts(); ++c)
+        options.previous_rows.push_back(old_chart(c) ? old_chart(c)->grid[1] : 0);
+    }
+    std::vector<int> index(m_draft.network.edges.size(), -1);
+    for (std::size_t i = 0; i < layout.edges.size(); ++i) index[layout.edges[i]] = int(i);
+    for (int c = 0; c < number_of_charts(); ++c) {
+      Sampling_chart& chart = layout.problem.charts[c];
+      if (chart.kind == Sampling_chart::Kind::annulus) {
+        chart.locked_rows = m_settings[c].rows;
+        chart.locked_columns = m_settings[c].columns;
+      }
+      if (!m_settings[c].locked || !old_chart(c)) continue;
+      chart.locked_columns = 0;
+      if (chart.kind == Sampling_chart::Kind::annulus) chart.locked_rows = old_chart(c)->grid[1];
+      for (const Walk& walk : m_draft.chart(c).walks)
+        for (const Walk_edge& e : walk.edges)
+          layout.problem.edges[index[e.edge]].locked = m_before.samples.counts[e.edge];
+    }
+  }
+
+  bool same_counts(int c) const {
+    for (const Walk& walk : m_draft.chart(c).walks)
+      for (const Walk_edge& e : walk.edges)
+        if (m_before.samples.counts[e.edge] != m_design.samples.counts[e.edge]) return false;
+    return true;
+  }
+
+  Result<void> place() {
+    m_design.charts.resize(number_of_charts());
+    std::vector<int> changed;
+    for (int c = 0; c < number_of_charts(); ++c) {
+      const Design_chart* old = old_chart(c);
+      if (old && old->settings == m_settings[c] && old->grid == m_grid[c] && same_counts(c))
+        m_design.charts[c] = m_before.charts[m_draft.origin(c)];
+      else
+        changed.push_back(c);
+    }
+    return for_each(changed, [&](int c) { return fill(c); });
+  }
+
+  Result<void> fill(int c) {
+    const Chart& chart = m_draft.chart(c);
+    auto made = std::make_shared<Design_chart>();
+    made->id = m_ids[c];
+    made->chart = m_draft.atlas().charts[c];
+    made->grid = m_grid[c];
+    made->height = m_heights[c];
+    made->settings = m_settings[c];
+    Chart_parameterization solved = map(c);
+    Texture_placement placement = m_settings[c].placement();
+    std::array<int, 2> grid = m_grid[c];
+    const std::vector<int> corners = rectangle_corners(m_draft.network, chart);
+    if (!corners.empty()) {
+      placement.corner = 0;
+      for (int i = 0; i < corners[0]; ++i)
+        placement.corner += m_design.samples.counts[chart.walks[0].edges[i].edge];
+      if (chart.walks[0].side == Side::high) std::swap(grid[0], grid[1]);
+    }
+    Result<Placed_texture> placed =
+        chart.kind == Chart_kind::annulus
+            ? place_annulus(chart, m_design.samples, grid[1], solved, {}, placement)
+            : place_disc(chart, m_design.samples, grid[0], grid[1], solved, {}, placement);
+    if (!placed) return placed.error();
+    made->texture = std::move(*placed);
+    made->map = std::make_shared<const Chart_parameterization>(std::move(solved));
+    m_design.charts[c] = std::move(made);
+    return {};
+  }
+
+  void report_changes() {
+    std::vector<char> stays(m_before.charts.size(), 0);
+    for (int c = 0; c < number_of_charts(); ++c) {
+      const int origin = m_draft.origin(c);
+      if (origin < 0) {
+        m_report.new_charts.push_back(m_ids[c]);
+        continue;
+      }
+      stays[origin] = 1;
+      if (m_design.charts[c] != m_before.charts[origin]) m_report.remeshed_charts.push_back(m_ids[c]);
+    }
+    for (std::size_t i = 0; i < stays.size(); ++i)
+      if (!stays[i]) m_report.removed_charts.push_back(m_before.charts[i]->id);
+  }
+
+  Draft& m_draft;
+  const Design& m_before;
+  Edit_report& m_report;
+  Design m_design;
+  int m_threads = 1;
+  std::vector<int> m_ids;
+  std::vector<Chart_settings> m_settings;
+  std::vector<double> m_heights;
+  std::vector<std::array<int, 2>> m_grid;
+};
+
+} // namespace
+
+Result<Design> complete_design(Draft& draft, Edit_report& report) {
+  return Completion(draft, report).run();
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A design while an edit changes it.
+#ifndef REEB_QUADRANGULATION_CORE_DESIGN_DRAFT_H
+#define REEB_QUADRANGULATION_CORE_DESIGN_DRAFT_H
+
+#include <CGAL/Reeb_quadrangulation/Design.h>
+#include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// The refusal of an edit: `reason` is one of few sentences, so that refusals can be counted; `details` follow it.
+Error refuse(const std::string& reason, const std::string& details = {},
+             Element_kind element = Element_kind::none, int index = -1);
+
+/// A copy of a design's contours and settings that an edit works on, cut into charts whenever it asks. Thrown away if the edit is
+/// refused.
+class Draft {
+public:
+  Draft(const Triangle_surface& surface, const Surface_projector& projector, const Design& design,
+        const Editor_options& options, Observer* observer);
+
+  const Triangle_surface& surface() const { return m_surface; }
+  const Editor_options& options() const { return m_options; }
+  Observer* observer() const { return m_observer; }
+  const Design& before() const { return m_before; }
+
+  Contour_network network;
+  std::vector<Design_extremum> extrema;
+  std::map<int, Chart_settings> settings; ///< by identity, of the charts of the design before
+  int target_quads = 0;
+  double edge_length = 0;
+  bool resample = false; ///< choose all counts anew for the target, not near the old ones
+
+  /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
+  Result<void> cut();
+  /// Becomes what another draft of the same design is.
+  void take(Draft&& other);
+  /// Takes over a cut that was made elsewhere.
+  void adopt(Reeb_layout layout);
+  const Atlas& atlas() const { return m_atlas; }
+  const Embedding& embedding() const { return *m_embedding; }
+  std::shared_ptr<const Embedding> shared_embedding() const { return m_embedding; }
+  const Chart& chart(int c) const { return *m_atlas.charts[c]; }
+  /// The index that a chart has in the design before, or -1.
+  int origin(int c) const { return m_origin[c]; }
+
+  /// The map of a chart: prepared, and of an annulus solved for the natural V if `solved`.
+  Result<std::shared_ptr<const Chart_parameterization>> map(int c);
+  Result<Chart_parameterization> naturally_solved_map(int c);
+  void set_map(int c, std::shared_ptr<const Chart_parameterization> map) { m_maps[c] = std::move(map); }
+  bool has_map(int c) const { return bool(m_maps[c]); }
+
+  /// \name Elements that points mean
+  /// @{
+  int vertex_at(const Surface_point& point) const;
+  int chart_at(const Surface_point& point) const;
+  int chart_of_vertex(int vertex) const;     ///< -1 on a contour
+  int contour_at(const Point& point) const;  ///< a contour edge, or -1
+  int extremum_at(const Point& point) const; ///< index into `extrema`, or -1
+  int saddle_at(const Point& point) const;   ///< a node, or -1
+  /// The number of the vertex of a contour edge that is nearest to a point.
+  int vertex_of_contour_at(int edge, const Point& point) const;
+  const Point& position(int network_vertex) const { return m_embedding->surface.points[network_vertex]; }
+  /// @}
+
+  /// The contour edges at a node, with repetition for loops.
+  std::vector<int> edges_at(int node) const;
+  /// Whether an edge is a loop of its own, without saddles: a cap, a subdivision.
+  bool is_free_loop(int edge) const;
+  std::vector<int> extremal_vertices() const;
+
+private:
+  const Triangle_surface& m_surface;
+  const Surface_projector& m_projector;
+  const Design& m_before;
+  const Editor_options& m_options;
+  Observer* m_observer;
+  Atlas m_atlas;
+  std::shared_ptr<const Embedding> m_embedding;
+  std::vector<std::shared_ptr<const Chart_parameterization>> m_maps;
+  std::vector<int> m_origin;
+};
+
+/// Samples, maps and fills what the draft has new, and makes it a design. Fails like an edit.
+Result<Design> complete_design(Draft& draft, Edit_report& report);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEB_QUADRANGULATION_CORE_DESIGN_DRAFT_H

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each edit does to a draft. A failure leaves the draft in any state: it must be thrown away.
+#ifndef REEB_QUADRANGULATION_CORE_EDIT_STEPS_H
+#define REEB_QUADRANGULATION_CORE_EDIT_STEPS_H
+
+#include "design_draft.h"
+
+#include <set>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+Result<void> apply_edit(Draft& draft, const Suggest& edit);
+Result<void> apply_edit(Draft& draft, const Set_extrema& edit);
+Result<void> apply_edit(Draft& draft, const Add_extremum& edit);
+Result<void> apply_edit(Draft& draft, const Remove_extremum& edit);
+Result<void> apply_edit(Draft& draft, const Move_extremum& edit);
+Result<void> apply_edit(Draft& draft, const Change_value& edit);
+Result<void> apply_edit(Draft& draft, const Move_contour& edit);
+Result<void> apply_edit(Draft& draft, const Drag_contour& edit);
+Result<void> apply_edit(Draft& draft, const Straighten_contour& edit);
+Result<void> apply_edit(Draft& draft, const Snap_contour& edit);
+Result<void> apply_edit(Draft& draft, const Subdivide_chart& edit);
+Result<void> apply_edit(Draft& draft, const Remove_contour& edit);
+Result<void> apply_edit(Draft& draft, const Align_saddles& edit);
+Result<void> apply_edit(Draft& draft, const Collapse_chart& edit);
+Result<void> apply_edit(Draft& draft, const Collapse_thin_charts& edit);
+Result<void> apply_edit(Draft& draft, const Split_pole& edit);
+Result<void> apply_edit(Draft& draft, const Move_corner& edit);
+Result<void> apply_edit(Draft& draft, const Split_saddle& edit);
+Result<void> apply_edit(Draft& draft, const Pin_corners& edit);
+Result<void> apply_edit(Draft& draft, const Set_target& edit);
+Result<void> apply_edit(Draft& draft, const Set_columns& edit);
+Result<void> apply_edit(Draft& draft, const Set_rows& edit);
+Result<void> apply_edit(Draft& draft, const Set_shift& edit);
+Result<void> apply_edit(Draft& draft, const Set_grading& edit);
+Result<void> apply_edit(Draft& draft, const Lock_chart& edit);
+
+/// \name Parts of edits
+/// @{
+
+/// Designs some charts, which form one region around the vertex `inside`, anew with the extrema that lie in it; the contours around
+/// the region stay. With `added`, that extremum gets the value at `strength` of the way to where it breaks something.
+Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
+                             double strength);
+
+/// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The draft is not cut.
+Result<int> draw_level_line(Draft& draft, int chart, int vertex);
+
+/// The contour edge at a point, which an edit may remove: a free loop inside the surface.
+Result<int> free_loop_at(const Draft& draft, const Surface_point& at);
+
+/// Puts a new polyline in the place of contour edge `old`, in the sense in which the same charts stay on its left.
+Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh);
+
+/// Fails unless every extremum has a cap: a contour of its own (a disc's corners would fall on saddles).
+Result<void> check_caps(const Draft& draft);
+
+/// The contour edge that passes a chart's extremum side and is a free loop: its cap; -1 if there is none.
+int cap_contour(const Draft& draft, int chart);
+
+/// @}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEB_QUADRANGULATION_CORE_EDIT_STEPS_H

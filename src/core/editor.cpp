@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Editor.h>
+
+#include "edit_steps.h"
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+int Design::index_of(int id) const {
+  for (std::size_t c = 0; c < charts.size(); ++c)
+    if (charts[c]->id == id) return int(c);
+  return -1;
+}
+
+namespace {
+
+// What became of charts, contours and counts between two designs.
+Edit_report differences(const Design& from, const Design& to) {
+  Edit_report report;
+  std::map<int, const Design_chart*> before, after;
+  for (const auto& chart : from.charts) before[chart->id] = chart.get();
+  for (const auto& chart : to.charts) after[chart->id] = chart.get();
+  for (const auto& [id, chart] : after) {
+    const auto found = before.find(id);
+    if (found == before.end())
+      report.new_charts.push_back(id);
+    else if (found->second != chart)
+      report.remeshed_charts.push_back(id);
+  }
+  for (const auto& entry : before)
+    if (!after.count(entry.first)) report.removed_charts.push_back(entry.first);
+  const auto lives = [](const Design& d, std::size_t e) {
+    return e < d.network.edges.size() && !d.network.is_removed(d.network.edges[e]);
+  };
+  for (std::size_t e = 0; e < std::max(from.network.edges.size(), to.network.edges.size()); ++e) {
+    const bool was = lives(from, e), is = lives(to, e);
+    if (is && !was) report.new_contours.push_back(int(e));
+    if (was && !is) report.removed_contours.push_back(int(e));
+    if (is && was && from.samples.counts[e] != to.samples.counts[e]) report.changed_counts.push_back(int(e));
+  }
+  return report;
+}
+
+double total_area(const Triangle_surface& s) {
+  double area = 0;
+  for (const Triangle& t : s.triangles)
+    area += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
+  return area;
+}
+
+} // namespace
+
+struct Editor::Implementation {
+  Implementation(Triangle_surface surface, const Editor_options& editor_options)
+      : input(std::move(surface)), options(editor_options) {}
+
+  const Design& design() const { return *states[position]; }
+  Result<Design> changed(const Edit& edit, Observer* observer, Edit_report& report) const {
+    Draft draft(working, *projector, design(), options, observer);
+    const Result<void> done = std::visit([&](const auto& e) { return apply_edit(draft, e); }, edit);
+    if (!done) return done.error();
+    return complete_design(draft, report);
+  }
+
+  Triangle_surface input, working;
+  Editor_options options;
+  std::unique_ptr<Surface_projector> projector; // of the working surface
+  std::vector<std::shared_ptr<const Design>> states;
+  std::vector<Edit> edits; // edit i leads from state i to state i + 1
+  int position = 0;
+};
+
+Editor::Editor(std::unique_ptr<Implementation> implementation)
+    : m_implementation(std::move(implementation)) {}
+Editor::~Editor() = default;
+Editor::Editor(Editor&&) noexcept = default;
+Editor& Editor::operator=(Editor&&) noexcept = default;
+
+Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& options, Observer* observer) {
+  if (surface.number_of_faces() == 0)
+    return make_error(Error_code::not_a_surface, "the surface has no faces");
+  if (connected_components(surface).second != 1)
+    return make_error(Error_code::not_a_surface, "the surface has several components: edit them one by one");
+  if (!(options.edge_length >= 0) || !std::isfinite(options.edge_length) ||
+      (options.edge_length == 0 && options.quads < 1))
+    return make_error(Error_code::impossible_request,
+                      "the number of quads or the edge length must be positive");
+  auto editor = std::make_unique<Implementation>(std::move(surface), options);
+  const double h =
+      options.edge_length > 0 ? options.edge_length : std::sqrt(total_area(editor->input) / options.quads);
+  if (options.prepare) {
+    Prepare_options prepare;
+    prepare.max_edge = h;
+    prepare.min_edge = 1e-3 * h;
+    Result<Prepared_surface> prepared = prepare_surface(editor->input, prepare, observer);
+    if (!prepared) return prepared.error();
+    editor->working = std::move(prepared->surface);
+  } else {
+    editor->working = editor->input;
+  }
+  editor->projector = std::make_unique<Surface_projector>(editor->working);
+  Design first;
+  first.network.surface_vertices = editor->working.number_of_vertices();
+  first.target_quads = options.edge_length > 0 ? 0 : options.quads;
+  first.edge_length = h;
+  first.embedding = std::make_shared<const Embedding>();
+  editor->states.push_back(std::make_shared<const Design>(std::move(first)));
+  return Editor(std::move(editor));
+}
+
+Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
+  Implementation& m = *m_implementation;
+  const auto begin = std::chrono::steady_clock::now();
+  if (m.design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
+      !std::holds_alternative<Set_extrema>(edit))
+    return refuse("the design is empty", "place extrema first");
+  Edit_report report;
+  Result<Design> design = m.changed(edit, observer, report);
+  if (!design) return design.error();
+  auto state = std::make_shared<const Design>(std::move(*design));
+  report = differences(m.design(), *state);
+  m.states.resize(m.position + 1);
+  m.edits.resize(m.position);
+  m.states.push_back(std::move(state));
+  m.edits.push_back(edit);
+  ++m.position;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+bool Editor::can_undo() const {
+  return m_implementation->position > 0;
+}
+
+bool Editor::can_redo() const {
+  return m_implementation->position + 1 < int(m_implementation->states.size());
+}
+
+Edit_report Editor::undo() {
+  CGAL_precondition(can_undo());
+  Implementation& m = *m_implementation;
+  --m.position;
+  return differences(*m.states[m.position + 1], *m.states[m.position]);
+}
+
+Edit_report Editor::redo() {
+  CGAL_precondition(can_redo());
+  Implementation& m = *m_implementation;
+  ++m.position;
+  return differences(*m.states[m.position - 1], *m.states[m.position]);
+}
+
+const std::vector<Edit>& Editor::edits() const {
+  return m_implementation->edits;
+}
+
+int Editor::position() const {
+  return m_implementation->position;
+}
+
+const Design& Editor::design() const {
+  return m_implementation->design();
+}
+
+const Triangle_surface& Editor::input() const {
+  return m_implementation->input;
+}
+
+const Triangle_surface& Editor::working_surface() const {
+  return m_implementation->working;
+}
+
+const Editor_options& Editor::options() const {
+  return m_implementation->options;
+}
+
+int Editor::chart_at(const Surface_point& point) const {
+  const Implementation& m = *m_implementation;
+  return Draft(m.working, *m.projector, m.design(), m.options, nullptr).chart_at(point);
+}
+
+Stitched_mesh Editor::quads() const {
+  const Design& d = design();
+  if (d.charts.empty()) return {};
+  std::vector<const Placed_texture*> textures;
+  for (const auto& chart : d.charts) textures.push_back(&chart->texture);
+  return stitch(*d.embedding, d.network, d.atlas, d.samples, textures);
+}
+
+Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, const Snap_options& features,
+                                             Observer* observer) const {
+  Stitched_mesh stitched = quads();
+  if (stitched.mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
+  Result<Finished_quads> finished =
+      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer);
+  if (!finished) return finished.error();
+  stitched.mesh = std::move(finished->mesh);
+  return stitched;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
