@@ -157,6 +157,8 @@ public:
 
   bool send(const std::string& text, int opcode = 1) { return m_socket.send(frame(text, opcode)); }
 
+  bool send_raw(const std::string& bytes) { return m_socket.send(bytes); }
+
   /// A masked frame; `announced` replaces the length in its head.
   static std::string frame(const std::string& payload, int opcode = 1, std::uint64_t announced = 0) {
     const std::uint64_t size = announced ? announced : payload.size();
@@ -176,11 +178,15 @@ public:
     std::string payload;
   };
 
-  Message receive(double seconds = 20) {
+  Message receive(double seconds = 20) { return receive(seconds, true); }
+  /// The same, without an answer to pings.
+  Message receive_silently(double seconds) { return receive(seconds, false); }
+
+  Message receive(double seconds, bool answers) {
     for (;;) {
       Message message;
       if (take_frame(message)) {
-        if (message.opcode == 9) send(message.payload, 10);
+        if (message.opcode == 9 && answers) send(message.payload, 10);
         if (message.opcode < 9) return message;
         continue;
       }
@@ -191,7 +197,7 @@ public:
     }
   }
 
-  /// The next text message that has this member; the ones before it are kept in `skipped`.
+  /// The next text message that has this member, with this value if one is given.
   nlohmann::json wait_for(const std::string& member, const nlohmann::json& value = nullptr) {
     for (;;) {
       const Message message = receive();
@@ -202,6 +208,7 @@ public:
         continue;
       }
       nlohmann::json json = nlohmann::json::parse(message.payload);
+      if (json.value("event", "") == "state") last_state = json;
       if (json.contains(member) && (value.is_null() || json[member] == value)) return json;
     }
   }
@@ -213,6 +220,7 @@ public:
 
   Answer opening;
   int binary_messages = 0;
+  nlohmann::json last_state; ///< that was received
 
 private:
   bool take_frame(Message& message) {

@@ -59,6 +59,17 @@ Result<Json> save(const Session& session, const std::string& name, const Result<
   return Json{{"name", name}};
 }
 
+/// An optional integer member, or 0.
+std::int64_t integer(const Json& body, const char* name) {
+  const auto member = body.find(name);
+  return member != body.end() && member->is_number_integer() ? member->get<std::int64_t>() : 0;
+}
+
+bool is_live(const Json& body) {
+  const auto live = body.find("live");
+  return live != body.end() && *live == true;
+}
+
 Result<Json> execute(Session& session, const Request& request, Worker::Observer& observer) {
   const Json& body = request.body;
   switch (request.command) {
@@ -66,7 +77,7 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   case Command::open_file: return done(session.open_file(body["name"], observer));
   case Command::restore: return done(session.restore(observer));
   case Command::forget: session.forget(); return Json::object();
-  case Command::edit: return session.edit(body["edit"], observer);
+  case Command::edit: return session.edit(body["edit"], observer, integer(body, "drag"), is_live(body));
   case Command::preview: return session.preview(body["edit"], observer);
   case Command::undo: return done(session.undo(observer));
   case Command::redo: return done(session.redo(observer));

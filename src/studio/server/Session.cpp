@@ -118,7 +118,8 @@ Result<void> Session::open(Saved_session origin, const std::string& bytes, Obser
             {"origin", json_point(middle(surface))},
             {"diagonal", box.diagonal().norm()},
             {"defects", defects(*soup, middle(surface))}};
-  return changed(watch.milliseconds(), "opened " + m_saved.name);
+  changed(watch.milliseconds(), "opened " + m_saved.name);
+  return {};
 }
 
 Result<void> Session::restore(Observer& observer) {
@@ -151,14 +152,22 @@ void Session::forget() {
   m_store.forget();
 }
 
-Result<Json> Session::edit(const Json& edit, Observer& observer) {
+Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t drag, bool live) {
   if (!m_design) return no_mesh();
   const Stopwatch watch;
+  const bool replaces = drag > 0 && drag == m_drag;
+  if (replaces)
+    if (Result<void> undone = m_design->undo(nullptr); !undone) return undone.error();
   Result<Json> done = m_design->apply(edit, &observer);
-  if (!done) return done;
+  if (!done) {
+    if (replaces)
+      if (Result<void> redone = m_design->redo(nullptr); !redone) return redone.error();
+    return done;
+  }
   m_milliseconds.resize(std::size_t(m_design->applied() - 1), 0);
   m_milliseconds.push_back(watch.milliseconds());
-  if (Result<void> saved = changed(m_milliseconds.back(), edit_text(edit)); !saved) return saved.error();
+  changed(m_milliseconds.back(), edit_text(edit), !live);
+  m_drag = drag;
   return done;
 }
 
@@ -178,16 +187,18 @@ Result<void> Session::undo(Observer& observer) {
   if (!m_design) return no_mesh();
   const Stopwatch watch;
   if (Result<void> done = step(false, observer); !done) return done;
-  return changed(watch.milliseconds(),
-                 "undid: " + edit_text(m_design->edits()[std::size_t(m_design->applied())]));
+  changed(watch.milliseconds(), "undid: " + edit_text(m_design->edits()[std::size_t(m_design->applied())]));
+  return {};
+  return {};
 }
 
 Result<void> Session::redo(Observer& observer) {
   if (!m_design) return no_mesh();
   const Stopwatch watch;
   if (Result<void> done = step(true, observer); !done) return done;
-  return changed(watch.milliseconds(),
-                 "redid: " + edit_text(m_design->edits()[std::size_t(m_design->applied() - 1)]));
+  changed(watch.milliseconds(),
+          "redid: " + edit_text(m_design->edits()[std::size_t(m_design->applied() - 1)]));
+  return {};
 }
 
 Result<void> Session::go_to(int target, Observer& observer) {
@@ -197,21 +208,23 @@ Result<void> Session::go_to(int target, Observer& observer) {
   const Stopwatch watch;
   while (m_design->applied() != target)
     if (Result<void> done = step(m_design->applied() < target, observer); !done) return done;
-  return changed(watch.milliseconds(), "went to step " + std::to_string(target));
+  changed(watch.milliseconds(), "went to step " + std::to_string(target));
+  return {};
 }
 
-Result<void> Session::changed(double milliseconds, const std::string& text) {
+void Session::changed(double milliseconds, const std::string& text, bool save) {
   ++m_revision;
+  m_drag = 0;
   m_layers_are_stale = true;
   m_saved.edits = m_design->edits();
   m_saved.applied = m_design->applied();
   certify_quads(false, nullptr);
   m_last = {{"ok", true}, {"text", text}, {"milliseconds", milliseconds}};
+  if (!save) return;
   if (Result<void> saved = m_store.save(m_saved); !saved) {
     // The work itself is done; the page says that it is not kept.
     m_last["warning"] = "the session could not be saved: " + saved.error().message;
   }
-  return {};
 }
 
 Result<void> Session::certify(Observer& observer) {

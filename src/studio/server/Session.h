@@ -26,7 +26,9 @@ public:
   /// Opens the mesh of the last session and repeats its edits.
   Result<void> restore(Observer& observer);
   void forget();
-  Result<Json> edit(const Json& edit, Observer& observer);
+  /// Of the edits of one `drag` (a positive number that the page chose) only the last stays: each takes the place of the one
+  /// before. `live` ones are not saved.
+  Result<Json> edit(const Json& edit, Observer& observer, std::int64_t drag = 0, bool live = false);
   /// Applies the edit, takes it back and says what it would have done.
   Result<Json> preview(const Json& edit, Observer& observer);
   Result<void> undo(Observer& observer);
@@ -54,7 +56,7 @@ private:
   Result<void> open(Saved_session origin, const std::string& bytes, Observer& observer);
   Result<void> step(bool forward, Observer& observer);
   /// What follows every change: measures, certifies, saves.
-  Result<void> changed(double milliseconds, const std::string& text);
+  void changed(double milliseconds, const std::string& text, bool save = true);
   void certify_quads(bool wholly, const Observer* observer);
   Json budget() const;
   Json history() const;
@@ -71,6 +73,7 @@ private:
   Layers m_layers;
   bool m_layers_are_stale = true;
   std::int64_t m_revision = 0;
+  std::int64_t m_drag = 0; ///< that the last edit belongs to
 };
 
 } // namespace studio

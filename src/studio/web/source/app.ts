@@ -7,6 +7,11 @@ import { layerList, switched, views, type LayerId, type ViewId } from "./scene/l
 import { Stage } from "./scene/stage";
 import { Viewport } from "./scene/viewport";
 import { Store } from "./store";
+import { DragContourTool } from "./tools/drag_contour";
+import { DragEdits } from "./tools/drag_edits";
+import { ExtremumTool } from "./tools/extremum";
+import { GuidedTool, guides } from "./tools/guided";
+import { PlaneTool } from "./tools/plane";
 import { SelectTool } from "./tools/select";
 import { ToolBox } from "./tools/tool_box";
 import { designPanel } from "./ui/design_panel";
@@ -31,6 +36,7 @@ export class App {
   readonly viewport: Viewport;
   readonly stage: Stage;
   readonly tools: ToolBox;
+  private readonly drags: DragEdits;
   private fileName = "";
   private hadQuads = false;
 
@@ -43,6 +49,7 @@ export class App {
       trouble: (message) => this.toasts.show("That did not work", message, "bad"),
       connected: (yes) => this.store.set("connected", yes),
     });
+    this.drags = new DragEdits(this.connection, (error) => this.tell(error));
     const canvasHost = h("div", { className: "canvas" });
     const overlay = h("div", { className: "overlay" });
     const openMesh = openDialog(this.connection, (file) => void this.upload(file), (name) => void this.openFile(name));
@@ -51,7 +58,8 @@ export class App {
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
     this.tools = new ToolBox(this, overlay);
-    this.tools.add(new SelectTool(this));
+    for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
+    for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
     this.tools.choose("select");
     this.wire(canvasHost, openMesh, help);
     this.connection.open();
@@ -69,6 +77,11 @@ export class App {
 
   edit(edit: Edit, live = false): Promise<unknown> {
     return this.ask("edit", { edit, live });
+  }
+
+  /** An edit that follows the pointer; the last one of a drag is not `live`. */
+  dragEdit(edit: Edit, live: boolean): void {
+    this.drags.send(edit, live);
   }
 
   tell(error: unknown): void {

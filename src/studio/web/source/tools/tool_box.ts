@@ -11,10 +11,11 @@ export class ToolBox {
   private readonly tools: Tool[] = [];
   private active: Tool | null = null;
   private readonly hintLine = h("div", { className: "hint-line", role: "status" });
+  private readonly boxHost = h("div", {});
   private pressed: { x: number; y: number; claimed: boolean } | null = null;
 
   constructor(private readonly app: App, overlay: HTMLElement) {
-    overlay.append(this.hintLine);
+    overlay.append(this.hintLine, this.boxHost);
     const canvas = app.viewport.canvas;
     // Before the camera's own listeners, so that a tool can claim the drag.
     canvas.addEventListener("pointerdown", (e) => this.down(e), true);
@@ -60,7 +61,13 @@ export class ToolBox {
     return this.tools.map((tool) => ({ keys: tool.key, about: tool.name.toLowerCase(), group: "Tools", run: () => this.choose(tool.id) }));
   }
 
-  tellHint(): void {
+  /** The tool's own controls, in the corner of the view. */
+  setBox(box: HTMLElement | null): void {
+    this.boxHost.replaceChildren(...(box ? [box] : []));
+  }
+
+  tellHint(bad = false): void {
+    this.hintLine.classList.toggle("bad", bad);
     const hint = this.app.store.get("state")?.file ? (this.active?.hint() ?? "") : "";
     this.hintLine.textContent = hint;
     this.hintLine.hidden = hint === "";

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the studio's server without sockets: messages, files, the saved session, the worker.
+#include "temporary_folder.h"
+
+#include <server/Client.h>
+#include <server/Folder.h>
+#include <server/Frame.h>
+#include <server/Request.h>
+#include <server/Store.h>
+#include <server/Worker.h>
+
+#include <csignal>
+#include <future>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace reebquad::studio;
+
+namespace {
+
+Json vectors() {
+  return Json::parse(contents(std::string(REEBQUAD_TEST_DIR) + "/../studio/vectors.json"));
+}
+
+std::string from_hex(const std::string& digits) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    bytes += char(std::stoi(digits.substr(i, 2), nullptr, 16));
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("frames are encoded as the test vectors of the protocol say") {
+  const Json frames = vectors()["frames"];
+  REQUIRE(!frames.empty());
+  for (const Json& vector : frames) {
+    Frame frame(vector["layer"]);
+    frame.data = vector["data"];
+    for (const Json& array : vector["arrays"]) {
+      const std::string type = array["type"];
+      if (type == "f32") frame.add(array["name"], array["values"].get<std::vector<float>>());
+      if (type == "u32") frame.add(array["name"], array["values"].get<std::vector<std::uint32_t>>());
+      if (type == "i32") frame.add(array["name"], array["values"].get<std::vector<std::int32_t>>());
+      if (type == "u8") frame.add(array["name"], array["values"].get<std::vector<std::uint8_t>>());
+    }
+    CHECK(*frame.encode() == from_hex(vector["bytes"]));
+  }
+}
+
+TEST_CASE("requests are taken or refused as the test vectors of the protocol say") {
+  for (const Json& vector : vectors()["requests"]) {
+    const std::string text = vector["text"];
+    CAPTURE(text);
+    const auto request = parse_request(text);
+    CHECK(bool(request) == vector["ok"].get<bool>());
+    if (!request) CHECK(request.error().message == vector["message"]);
+    CHECK(request_id(text) == vector["id"].get<std::int64_t>());
+  }
+}
+
+TEST_CASE("a request may be long and deep up to the limits and no further") {
+  const auto padded = [](std::size_t size) {
+    const std::string head = R"({"id":1,"command":"undo","pad":")", tail = "\"}";
+    return head + std::string(size - head.size() - tail.size(), 'x') + tail;
+  };
+  CHECK(bool(parse_request(padded(longest_request))));
+  CHECK(!parse_request(padded(longest_request + 1)));
+  const auto nested = [](int depth) {
+    return R"({"id":1,"command":"edit","edit":{"a":)" + std::string(std::size_t(depth), '[') +
+           std::string(std::size_t(depth), ']') + "}}";
+  };
+  CHECK(bool(parse_request(nested(13))));
+  CHECK(!parse_request(nested(40)));
+  CHECK(!parse_request(nested(400000)));
+}
+
+TEST_CASE("only files inside the folder have a path") {
+  const Temporary_folder outside;
+  outside.write("secret.obj", "v 0 0 0\n");
+  std::filesystem::create_directories(outside.path("inside/sub"));
+  std::ofstream(outside.path("inside/mesh.obj")) << "v 0 0 0\n";
+  std::ofstream(outside.path("inside/sub/deep.off")) << "OFF\n";
+  std::ofstream(outside.path("inside/.hidden")) << "x";
+  std::filesystem::create_symlink(outside.path("secret.obj"), outside.path("inside/link.obj"));
+  std::filesystem::create_symlink(outside.path(""), outside.path("inside/up"));
+  std::filesystem::create_symlink(outside.path("inside/mesh.obj"), outside.path("inside/good.obj"));
+  std::filesystem::create_symlink("/nowhere/at/all", outside.path("inside/dangling.obj"));
+  const Folder folder(outside.path("inside"));
+
+  for (const char* name :
+       {"mesh.obj", "sub/deep.off", "good.obj", "new.obj", "sub/new file.obj", "a..b.obj", "ü.obj"}) {
+    CAPTURE(name);
+    REQUIRE(folder.resolve(name));
+    CHECK(folder.resolve(name)->rfind(folder.path().string() + "/", 0) == 0);
+  }
+  const std::string secret = outside.path("secret.obj");
+  std::vector<std::string> forbidden{"",
+                                     ".",
+                                     "..",
+                                     "/",
+                                     "//",
+                                     "\\",
+                                     "...",
+                                     "....",
+                                     "./mesh.obj",
+                                     "../secret.obj",
+                                     "../../etc/passwd",
+                                     "/etc/passwd",
+                                     "//etc/passwd",
+                                     "sub/../mesh.obj",
+                                     "sub/../../secret.obj",
+                                     "sub/./deep.off",
+                                     "sub//deep.off",
+                                     "sub/",
+                                     "mesh.obj/",
+                                     "..\\secret.obj",
+                                     "sub\\..\\..\\secret.obj",
+                                     "C:\\secret.obj",
+                                     ".hidden",
+                                     "sub/.hidden",
+                                     ".reebquad/session.json",
+                                     "link.obj",
+                                     "up/secret.obj",
+                                     "up/inside/../secret.obj",
+                                     "dangling.obj",
+                                     "missing/new.obj",
+                                     "missing/../mesh.obj",
+                                     "..;/secret.obj",
+                                     "../secret.obj ",
+                                     " ../secret.obj",
+                                     "sub/..",
+                                     "sub/../..",
+                                     ".../../secret.obj",
+                                     "..\t/secret.obj",
+                                     "mesh.obj\n",
+                                     "\x7f",
+                                     "..\r\n/secret.obj",
+                                     "mesh.obj/../../secret.obj",
+                                     "~/../secret.obj",
+                                     "file:///etc/passwd",
+                                     secret,
+                                     std::string("mesh.obj\0.obj", 13),
+                                     std::string(5000, 'a'),
+                                     "..%2fsecret.obj/..",
+                                     "%2e%2e/%2e%2e/../x",
+                                     "/proc/self/environ",
+                                     "../../../../../../../../etc/shadow",
+                                     "sub/../sub/../../secret.obj"};
+  for (const char* up : {"../", "..//", "../.", "../..", "..\\..", "/..", "/../", "sub/../../"})
+    forbidden.push_back(std::string(up) + "secret.obj");
+  CHECK(forbidden.size() >= 60);
+  for (const std::string& name : forbidden) {
+    CAPTURE(name);
+    CHECK(!folder.resolve(name));
+  }
+  for (const Listed_file& file : folder.meshes()) CHECK(file.name != "link.obj");
+  CHECK(folder.meshes().size() == 3);
+}
+
+TEST_CASE("a session is never lost, whenever the process is killed") {
+  constexpr int kills = 200;
+  const Temporary_folder place;
+  const Folder folder(place.path(""));
+  const Store store(folder);
+  const std::string mesh(50000, 'm');
+  int last = 0;
+  for (int round = 0; round < kills; ++round) {
+    int told[2];
+    REQUIRE(pipe(told) == 0);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      for (int n = last + 1;; ++n) {
+        Saved_session session;
+        session.name = "mesh.obj";
+        const std::string bytes = mesh + std::to_string(n / 3); // another mesh every third time
+        session.bytes = bytes.size();
+        session.digest = digest(bytes);
+        for (int i = 0; i < n % 50; ++i) session.edits.push_back({{"edit", "set_target"}, {"quads", n}});
+        session.edits.push_back(n);
+        session.applied = int(session.edits.size());
+        if (!store.save_upload(session, bytes) || !store.save(session)) _exit(1);
+        if (write(told[1], &n, sizeof n) != sizeof n) _exit(1);
+      }
+    }
+    close(told[1]);
+    // Some time after its first save, at another moment in each round.
+    int saved = last;
+    REQUIRE(read(told[0], &saved, sizeof saved) == sizeof saved);
+    usleep(useconds_t(round * 37 % 2500));
+    kill(child, SIGKILL);
+    while (read(told[0], &last, sizeof last) == sizeof last) saved = last;
+    close(told[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE(WIFSIGNALED(status));
+
+    const std::optional<Saved_session> session = store.load();
+    REQUIRE(session);
+    last = session->edits.back().get<int>();
+    CHECK(last >= saved);
+    CHECK(last <= saved + 1);
+    CHECK(bool(store.load_mesh(*session)));
+  }
+}
+
+TEST_CASE("a damaged or foreign session file is as none, and a changed mesh is told") {
+  const Temporary_folder place;
+  const Store store((Folder(place.path(""))));
+  CHECK(!store.load());
+  place.write("mesh.obj", "v 0 0 0\n");
+  Saved_session session;
+  session.name = session.file = "mesh.obj";
+  session.bytes = 8;
+  session.digest = digest("v 0 0 0\n");
+  REQUIRE(store.save(session));
+  REQUIRE(store.load());
+  CHECK(bool(store.load_mesh(*store.load())));
+  place.write("mesh.obj", "v 0 0 1\n");
+  CHECK(!store.load_mesh(*store.load()));
+  const std::string good = contents(place.path(".reebquad/session.json"));
+  for (
+      const std::string& bad :
+      {std::string(), std::string("{}"), std::string("[1,2"), good.substr(0, good.size() / 2),
+       std::string(R"({"version":1,"name":1,"file":"","bytes":1,"digest":"","edits":[],"applied":0})"),
+       std::string(
+           R"({"version":1,"name":"a","file":"","bytes":1,"digest":"../../../etc/pwd","edits":[],"applied":0})"),
+       std::string(
+           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","edits":[],"applied":0})"),
+       std::string(
+           R"({"version":1,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","edits":[],"applied":7})")}) {
+    place.write(".reebquad/session.json", bad);
+    CHECK(!store.load());
+  }
+  // A session that names a file outside is not followed.
+  place.write(
+      ".reebquad/session.json",
+      R"({"version":1,"name":"a","file":"../../etc/passwd","bytes":1,"digest":"0123456789abcdef","edits":[],"applied":0})");
+  REQUIRE(store.load());
+  CHECK(!store.load_mesh(*store.load()));
+}
+
+TEST_CASE("work is cancelled within a quarter of a second, and by the edit that replaces it") {
+  using Clock = std::chrono::steady_clock;
+  std::promise<void> begun;
+  std::promise<Clock::time_point> stopped;
+  Worker worker([](const std::string&, double) {});
+  const auto until_cancelled = [](Worker::Observer& observer) {
+    while (!observer.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  const auto never = [](const std::string&) { FAIL("the job threw"); };
+  worker.push(
+      [&](Worker::Observer& observer) {
+        begun.set_value();
+        until_cancelled(observer);
+        stopped.set_value(Clock::now());
+      },
+      never);
+  begun.get_future().wait();
+  const Clock::time_point asked = Clock::now();
+  worker.cancel();
+  CHECK(stopped.get_future().get() - asked < std::chrono::milliseconds(250));
+
+  std::promise<bool> was_cancelled, is_fresh;
+  worker.push(
+      [&](Worker::Observer& observer) {
+        until_cancelled(observer);
+        was_cancelled.set_value(true);
+      },
+      never, true);
+  worker.push([&](Worker::Observer& observer) { is_fresh.set_value(!observer.cancelled()); }, never);
+  CHECK(was_cancelled.get_future().get());
+  CHECK(is_fresh.get_future().get());
+}
+
+TEST_CASE("a job that throws does not end the worker") {
+  Worker worker([](const std::string&, double) {});
+  std::promise<std::string> said;
+  std::promise<void> went_on;
+  worker.push([](Worker::Observer&) { throw std::runtime_error("broken"); },
+              [&](const std::string& what) { said.set_value(what); });
+  worker.push([&](Worker::Observer&) { went_on.set_value(); }, [](const std::string&) {});
+  CHECK(said.get_future().get() == "broken");
+  went_on.get_future().wait();
+}
+
+TEST_CASE("a slow page gets the newest of the messages that replace each other") {
+  const auto bytes = [](const std::string& text) { return std::make_shared<const std::string>(text); };
+  Outbox outbox;
+  for (int i = 0; i < 100000; ++i) REQUIRE(outbox.push({"progress", bytes(std::to_string(i)), false}));
+  REQUIRE(outbox.push({"", bytes("reply"), false}));
+  REQUIRE(outbox.push({"progress", bytes("last"), false}));
+  REQUIRE(outbox.size() == 2);
+  CHECK(*outbox.pop().bytes == "reply");
+  CHECK(*outbox.pop().bytes == "last");
+  int taken = 0;
+  while (outbox.push({"", bytes("x"), false})) ++taken;
+  CHECK(taken == 1000);
+}
