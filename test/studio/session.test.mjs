@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a file to quads and back: open, suggest, change the counts, undo, redo, lose the program, export.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import test, { after, before } from "node:test";
+import { Studio } from "./harness.mjs";
+
+let studio;
+before(async () => (studio = await Studio.start()));
+after(() => studio.close());
+
+test("the page says what to do while nothing is open", async () => {
+  await studio.page.waitForSelector("text=From a surface to quads");
+  await studio.picture("welcome_dark");
+  assert.equal(await studio.page.isDisabled("#export"), true);
+});
+
+test("the token is gone from the address bar", () => assert.ok(!studio.page.url().includes("token")));
+
+test("what is no mesh is refused with a sentence", async () => {
+  writeFileSync(studio.path("broken.obj"), "f 1 2 3\n");
+  await studio.page.setInputFiles("#file-input", studio.path("broken.obj"));
+  assert.match(await studio.toast(), /line 1/);
+});
+
+test("a mesh is opened by upload", async () => {
+  const state = await studio.upload(studio.shape("hand", 6000));
+  assert.equal(state.file.genus, 0);
+  assert.match(await studio.page.innerText(".status"), /hand\.off/);
+  await studio.picture("surface");
+});
+
+test("the suggestion gives certified quads", async () => {
+  const state = await studio.suggest();
+  assert.ok(state.statistics.quads > 2000);
+  assert.equal(state.certificate.passed, true);
+  assert.equal(await studio.page.getAttribute("[data-light]", "data-light") !== "red", true);
+  await studio.picture("quads");
+});
+
+test("every view shows something else", async () => {
+  const seen = new Set();
+  for (const view of ["surface", "field", "atlas", "quads", "quality"]) {
+    await studio.view(view);
+    await studio.settle();
+    seen.add((await studio.page.locator("canvas").screenshot()).toString("base64"));
+    await studio.picture(`view_${view}`);
+  }
+  assert.equal(seen.size, 5);
+});
+
+test("keys switch layers", async () => {
+  await studio.view("atlas");
+  await studio.page.keyboard.press("7");
+  assert.equal(await studio.page.getAttribute('[data-layer="reeb"]', "aria-checked"), "true");
+  await studio.picture("reeb_graph");
+  await studio.page.keyboard.press("x");
+  await studio.picture("xray");
+  await studio.page.keyboard.press("x");
+  await studio.page.keyboard.press("7");
+  await studio.page.keyboard.press("?");
+  await studio.picture("keys");
+  await studio.page.keyboard.press("Escape");
+});
+
+test("a bar of the histogram lights its quads", async () => {
+  await studio.view("quality");
+  const before = await studio.page.locator("canvas").screenshot();
+  await studio.page.locator(".bar:not([disabled])").last().click();
+  await studio.settle();
+  assert.notDeepEqual(await studio.page.locator("canvas").screenshot(), before);
+  await studio.picture("quality_lit");
+  await studio.page.locator(".bar.chosen").click();
+});
+
+test("counts, undo and redo", async () => {
+  await studio.page.fill("#quads", "1200");
+  const fewer = await studio.after(() => studio.page.press("#quads", "Enter"));
+  assert.ok(Math.abs(fewer.statistics.quads - 1200) < 200);
+  const undone = await studio.after(() => studio.page.click("#undo"));
+  assert.ok(undone.statistics.quads > 2000);
+  const redone = await studio.after(() => studio.page.click("#redo"));
+  assert.equal(redone.statistics.quads, fewer.statistics.quads);
+  const first = await studio.after(() => studio.page.click('[data-step="1"]'));
+  assert.equal(first.applied, 1);
+  await studio.after(() => studio.page.click('[data-step="2"]'));
+});
+
+test("the certificate runs all its checks", async () => {
+  const state = await studio.after(() => studio.page.click(".certificate"));
+  const names = state.certificate.checks.filter((c) => c.status === "not_checked").map((c) => c.name);
+  assert.ok(!names.includes("no_self_intersections"), names.join());
+});
+
+test("a page that is loaded anew finds the session", async () => {
+  const quads = (await studio.state()).statistics.quads;
+  await studio.page.reload();
+  await studio.page.waitForFunction(() => window.studio?.store.get("state")?.statistics);
+  assert.equal((await studio.state()).statistics.quads, quads);
+});
+
+test("a program that was killed offers the session and exports the same bytes", async () => {
+  const before = await studio.download(() => studio.page.click("#export"));
+  await studio.stopProgram("SIGKILL");
+  await studio.startProgram();
+  await studio.page.goto(studio.url);
+  await studio.page.click("#restore");
+  await studio.page.waitForFunction(() => window.studio?.store.get("state")?.statistics, null, { timeout: 60000 });
+  await studio.page.waitForFunction(() => !window.studio.store.get("busy"));
+  assert.ok(before.equals(await studio.download(() => studio.page.click("#export"))));
+});
+
+test("the light theme", async () => {
+  await studio.page.click("#theme");
+  await studio.view("field");
+  await studio.picture("light_field");
+  await studio.view("quads");
+  await studio.picture("light_quads");
+});
+
+test("the page stays usable at 200 %", async () => {
+  await studio.page.setViewportSize({ width: 700, height: 860 });
+  await studio.picture("narrow");
+  assert.ok(await studio.page.isVisible("#open"));
+  const { width } = await studio.page.locator(".canvas").boundingBox();
+  assert.ok(width > 400);
+});
+
+test("the page reported no errors", () => assert.deepEqual(studio.errors.filter((e) => !/WebSocket|ERR_CONNECTION|422/.test(e)), []));
