@@ -159,8 +159,8 @@ TEST_CASE("paths that climb lead nowhere, and the server goes on") {
   Page_socket page(us);
   REQUIRE(page.opening.status == 101);
   int id = 0;
-  for (const char* name : {"../secret.txt", "/etc/passwd", "..\\secret.txt", "./x",
-                                  ".reebquad/session.json", "a/../../secret.txt"})
+  for (const char* name : {"../secret.txt", "/etc/passwd", "..\\secret.txt", "./x", ".reebquad/session.json",
+                           "a/../../secret.txt"})
     for (const char* command : {"open_file", "export", "save_recipe"}) {
       CAPTURE(name, command);
       CHECK(page.request({{"id", ++id}, {"command", command}, {"name", name}})["ok"] == false);
