@@ -270,6 +270,28 @@ TEST_CASE("one thread and several give the same bytes") {
   CHECK(one.points == three.points);
 }
 
+TEST_CASE("quads that are nearly good are relaxed further, and bad or good ones are not") {
+  const Triangle_surface input = tiny::open_cylinder(48, 48, 4);
+  const Surface_projector projector(input);
+  for (const double twist : {0.1, 0.55, 2.0}) {
+    INFO(twist);
+    Quad_mesh usual = quads_of(tiny::open_cylinder(24, 24, 4));
+    for (Point& p : usual.points) p = Eigen::AngleAxisd(twist * p.z(), Point::UnitZ()) * p;
+    Quad_mesh further = usual;
+    Relax_options options;
+    const auto more = relax_quads(further, input, projector, {}, options);
+    options.more_iterations = 0;
+    const auto less = relax_quads(usual, input, projector, {}, options);
+    REQUIRE((bool(more) && bool(less)));
+    if (twist == 0.55) {
+      CHECK(less->mean_after < 0.92);
+      CHECK(more->mean_after > less->mean_after + 0.005);
+    } else {
+      CHECK(further.points == usual.points);
+    }
+  }
+}
+
 TEST_CASE("a mesh that is good already keeps its quality") {
   const Triangle_surface input = tiny::torus(60, 30);
   const Surface_projector projector(input);
