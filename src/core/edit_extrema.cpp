@@ -55,7 +55,7 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
   Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
   if (!solved) return refuse("the field cannot be solved", solved.error().message);
   field.values = std::move(solved->values);
-  Result<Reeb_layout> layout = make_layout(s, field);
+  Result<Reeb_layout> layout = make_layout(s, field, int(draft.network.edges.size()));
   if (!layout) return refuse("the field has no layout", layout.error().message);
   if (!layout->lost_extrema.empty())
     return refuse("the field does not have an extremum there", {}, Element_kind::vertex,

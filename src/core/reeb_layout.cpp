@@ -215,7 +215,8 @@ void close_field(const Closed_surface& closed, const std::vector<std::vector<int
 
 } // namespace
 
-Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field) {
+Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field,
+                                int first_edge) {
   const std::vector<std::vector<int>> loops = boundary_loops(surface);
   CGAL_precondition(field.boundary_is_maximum.size() == loops.size());
   CGAL_precondition(int(field.values.size()) == surface.number_of_vertices());
@@ -258,6 +259,7 @@ Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_
 
   layout.network = build_network(surface, order, layout.values, contours, layout.critical.saddles,
                                  layout.critical.multiplicity);
+  layout.network.edges.insert(layout.network.edges.begin(), first_edge, Contour_edge());
   for (std::size_t i = 0; i < loops.size(); ++i)
     add_boundary_contour(surface, loops[i], field.boundary_is_maximum[i],
                          layout.values[surface.source(loops[i][0])], layout.network);

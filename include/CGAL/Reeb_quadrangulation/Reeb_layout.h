@@ -43,8 +43,10 @@ Traced_contour trace_cap(const Closed_surface& closed, const Vertex_order& order
 /// Orders the field, removes extrema that are not wanted, traces every saddle's contours and a cap around every extremum, embeds
 /// them, and cuts the charts. Fails with `impossible_request` if the field has no minimum or no maximum, or if a saddle falls on
 /// a boundary vertex, which is possible only where an interior edge joins two of them (`prepare_surface()` splits such edges);
-/// and with `internal_error` if a region is not a chart.
-Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field);
+/// and with `internal_error` if a region is not a chart. The contour edges are numbered from `first_edge` on; those before are removed
+/// ones, so that an editor's contours keep different numbers for life.
+Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field,
+                                int first_edge = 0);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
