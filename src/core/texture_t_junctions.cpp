@@ -21,7 +21,8 @@ Error bad_hanging(const char* reason, int quad) {
 
 Hanging_mesh::Hanging_mesh(const Quad_mesh& mesh, const T_junction_options& options)
     : m_options(options), m_points(mesh.points), m_quads(mesh.quads), m_parent(mesh.quads.size()),
-      m_gone(mesh.quads.size(), 0), m_table(4 * mesh.quads.size()), m_parts(0) {
+      m_gone(mesh.quads.size(), 0), m_added_edges(mesh.points.size(), 0), m_table(4 * mesh.quads.size()),
+      m_parts(0) {
   for (std::size_t f = 0; f < m_parent.size(); ++f) m_parent[f] = int(f);
 }
 
@@ -67,6 +68,7 @@ Result<void> Hanging_mesh::add(const Hanging_edge& edge) {
 
 int Hanging_mesh::add_vertex(const Point& p) {
   m_points.push_back(p);
+  m_added_edges.push_back(0);
   return int(m_points.size()) - 1;
 }
 
@@ -108,7 +110,7 @@ std::vector<int> Hanging_mesh::take_hanging(int a, int b) {
 int Hanging_mesh::end_of_line(const Crossing& c, bool start) {
   const int corner = start ? c.in : c.out, other = start ? c.out : c.in;
   const int a = m_quads[c.quad][corner], b = m_quads[c.quad][(corner + 1) % 4];
-  if (m_hanging.find({a, b}) == m_hanging.end()) return add_vertex(0.5 * (m_points[a] + m_points[b]));
+  if (m_hanging.find({a, b}) == m_hanging.end()) return cross_edge(a, b);
   const std::vector<int> t = take_hanging(a, b);
   const int n = int(t.size());
   const int turn = (other - corner + 4) % 4;
@@ -124,28 +126,46 @@ void Hanging_mesh::split(const Crossing& k, int m, int n) {
   const int a = q[k.in], b = q[(k.in + 1) % 4], c = q[(k.in + 2) % 4], d = q[(k.in + 3) % 4];
   const int turn = (k.out - k.in + 4) % 4;
   if (turn == 2) {
+    add_edge(m, n);
     replace(k.quad, {{a, m, n, d}, {m, b, c, n}});
     return;
   }
   const double along = fraction(a, m, b);
   if (turn == 1) {
     const int x = add_vertex(inside(k.quad, k.in, along, fraction(b, n, c)));
+    add_edge(m, x);
+    add_edge(n, x);
+    add_edge(x, d);
     replace(k.quad, {{m, b, n, x}, {n, c, d, x}, {a, m, x, d}});
   } else {
     const int x = add_vertex(inside(k.quad, k.in, along, fraction(a, n, d)));
+    add_edge(m, x);
+    add_edge(n, x);
+    add_edge(x, c);
     replace(k.quad, {{a, m, x, n}, {m, b, c, x}, {x, c, d, n}});
   }
 }
 
 void Hanging_mesh::draw_line(const std::vector<Crossing>& path) {
   std::vector<int> at{end_of_line(path.front(), true)};
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) at.push_back(cross_edge(path[i].quad, path[i].out));
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Quad& q = m_quads[path[i].quad];
+    at.push_back(cross_edge(q[path[i].out], q[(path[i].out + 1) % 4]));
+  }
   at.push_back(end_of_line(path.back(), false));
   for (std::size_t i = 0; i < path.size(); ++i) split(path[i], at[i], at[i + 1]);
 }
 
-int Hanging_mesh::cross_edge(int quad, int corner) {
-  return add_vertex(0.5 * (point(quad, corner) + point(quad, corner + 1)));
+// A vertex in the middle of an edge.
+int Hanging_mesh::cross_edge(int a, int b) {
+  const int m = add_vertex(0.5 * (m_points[a] + m_points[b]));
+  m_added_edges[m] = 2;
+  return m;
+}
+
+void Hanging_mesh::add_edge(int a, int b) {
+  ++m_added_edges[a];
+  ++m_added_edges[b];
 }
 
 void Hanging_mesh::draw_templates(const Edge& edge) {
@@ -160,6 +180,8 @@ void Hanging_mesh::draw_templates(const Edge& edge) {
     const double rings = double(t.size() / 2), depth = rings / (rings + 1);
     const int p = add_vertex(inside(f, in, fraction(a, first, b), depth));
     const int r = add_vertex(inside(f, in, fraction(a, last, b), depth));
+    for (const auto& [x, y] : {Edge(first, p), Edge(last, r), Edge(p, r), Edge(p, d), Edge(r, c)})
+      add_edge(x, y);
     replace(f, {{a, first, p, d}, {last, b, c, r}, {p, r, c, d}, {first, last, r, p}});
     h = 4 * (int(m_quads.size()) - 1);
     t.erase(t.begin());
@@ -197,6 +219,7 @@ Resolved_mesh Hanging_mesh::finish(const Quad_mesh& before) const {
     out.parent.push_back(m_parent[f]);
   }
   out.templates = templates;
+  out.added_edges = m_added_edges;
   std::vector<int> quads_before(m_points.size(), -1);
   for (std::size_t v = 0; v < before.points.size(); ++v) quads_before[v] = 0;
   for (const Quad& q : before.quads)
@@ -205,6 +228,7 @@ Resolved_mesh Hanging_mesh::finish(const Quad_mesh& before) const {
   const Fans after = count_fans(out.mesh.quads, m_points.size());
   for (std::size_t v = 0; v < m_points.size(); ++v) {
     const bool changed = after.quads[v] != quads_before[v];
+    if (v >= before.points.size() && after.boundary[v]) out.boundary_vertices.push_back(int(v));
     if (changed && after.quads[v] != (after.boundary[v] ? 2 : 4)) out.extraordinary.push_back(int(v));
   }
   return out;
@@ -221,7 +245,6 @@ public:
   struct Line {
     double cost = -1; ///< negative: none
     std::vector<Hanging_mesh::Crossing> path;
-    bool to_boundary = false;
   };
 
   Line run(int start) {
@@ -291,8 +314,6 @@ private:
   Line line(const Entry& e) {
     Line out;
     out.cost = e.cost;
-    const auto t = m_mesh.hanging().find({m_mesh.source(e.halfedge), m_mesh.target(e.halfedge)});
-    out.to_boundary = t == m_mesh.hanging().end();
     int leaving = e.halfedge & 3;
     for (int h = m_reached[e.halfedge].from;;) {
       out.path.push_back({quad_of(h), h & 3, leaving});
@@ -364,7 +385,7 @@ Result<Resolved_mesh> resolve_t_junctions(const Quad_mesh& mesh, const std::vect
   Line_search search(work, options);
   const auto order = lines_by_cost(work, edges, search);
   if (!order) return order.error();
-  int lines = 0, boundary_ends = 0;
+  int lines = 0;
   for (const Hanging_mesh::Edge& e : *order) {
     const auto t = work.hanging().find(e);
     if (t == work.hanging().end() || t->second.size() % 2 == 0) continue; // another line ended here
@@ -372,14 +393,12 @@ Result<Resolved_mesh> resolve_t_junctions(const Quad_mesh& mesh, const std::vect
     if (line.cost < 0) return no_partner(e);
     work.draw_line(line.path);
     ++lines;
-    boundary_ends += line.to_boundary;
   }
   std::vector<Hanging_mesh::Edge> left;
   for (const auto& [edge, vertices] : work.hanging()) left.push_back(edge);
   for (const Hanging_mesh::Edge& e : left) work.draw_templates(e);
   Resolved_mesh out = work.finish(mesh);
   out.lines = lines;
-  out.boundary_ends = boundary_ends;
   return out;
 }
 

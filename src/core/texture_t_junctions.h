@@ -56,7 +56,8 @@ private:
   double fraction(int a, int vertex, int b) const;
   int add_vertex(const Point& p);
   int end_of_line(const Crossing& c, bool start);
-  int cross_edge(int quad, int corner);
+  int cross_edge(int a, int b);
+  void add_edge(int a, int b);
   void split(const Crossing& c, int m, int n);
   void replace(int quad, const std::vector<Quad>& parts);
   std::vector<int> take_hanging(int a, int b);
@@ -66,6 +67,7 @@ private:
   std::vector<Quad> m_quads;
   std::vector<int> m_parent;
   std::vector<char> m_gone;
+  std::vector<int> m_added_edges;
   Edge_table m_table; ///< directed edge -> halfedge
   Edge_table m_parts; ///< directed edge of the coarse side, between consecutive T-junctions
   std::map<Edge, std::vector<int>> m_hanging;

@@ -144,7 +144,7 @@ TEST_CASE("two T-junctions of neighbours give the 2:4 template: six quads, three
   CHECK(out.mesh.points.size() == c.mesh.points.size() + 3);
   CHECK(out.lines == 1);
   CHECK(out.templates == 0);
-  CHECK(out.boundary_ends == 0);
+  CHECK(out.boundary_vertices.empty());
   CHECK(out.extraordinary.size() == 4);
   CHECK(edges_of(out.mesh).boundary == edges_of(c.mesh).boundary - 4 - 2);
   CHECK(is_convex(out.mesh));
@@ -186,7 +186,7 @@ TEST_CASE("a T-junction across a strip from another makes no extraordinary verte
 TEST_CASE("a single T-junction ends on the boundary, or is refused") {
   const Hanging_case c = sheet({0, 1, 0}, 3);
   const Resolved_mesh out = resolved(c);
-  CHECK(out.boundary_ends == 1);
+  CHECK(out.boundary_vertices.size() == 1);
   CHECK(out.extraordinary.empty());
   CHECK(is_convex(out.mesh));
   T_junction_options options;
@@ -198,7 +198,7 @@ TEST_CASE("a single T-junction ends on the boundary, or is refused") {
   options.fixed.assign(c.mesh.quads.size(), 0);
   for (int f = 3; f < 9; ++f) options.fixed[f] = 1; // the rows below the first: out to the side
   const Resolved_mesh aside = resolved(c, options);
-  CHECK(aside.boundary_ends == 1);
+  CHECK(aside.boundary_vertices.size() == 1);
   CHECK(aside.extraordinary.size() == 2);
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("odd numbers send one line and nest the rest, beside where the line tu
   CHECK(is_convex(out.mesh));
   const Resolved_mesh straight = resolved(sheet({0, 5, 0}, 1));
   CHECK(straight.lines == 1);
-  CHECK(straight.boundary_ends == 1);
+  CHECK(straight.boundary_vertices.size() == 1);
   CHECK(straight.templates == 2);
   CHECK(is_convex(straight.mesh));
 }
@@ -267,6 +267,14 @@ TEST_CASE("random T-junctions on bands: always watertight, all quads, of the sam
     REQUIRE(edges.boundary == 0);
     REQUIRE(int(out.mesh.points.size()) - edges.all + int(out.mesh.quads.size()) == 0);
     for (const Quad& q : out.mesh.quads) REQUIRE(std::set<int>(q.begin(), q.end()).size() == 4);
+    std::vector<int> edges_at(out.mesh.points.size(), 0);
+    for (const Quad& q : out.mesh.quads)
+      for (int v : q) ++edges_at[v];
+    for (const Quad& q : c.mesh.quads)
+      for (int v : q) --edges_at[v];
+    for (const Hanging_edge& e : c.hanging)
+      for (int v : e.vertices) --edges_at[v]; // the coarse quad's straight angle is between two edges
+    REQUIRE(edges_at == out.added_edges);
     extraordinary += out.extraordinary.size();
     junctions += 2 * std::size_t(total);
   }

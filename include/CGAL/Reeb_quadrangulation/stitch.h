@@ -3,6 +3,7 @@
 #define CGAL_REEB_QUADRANGULATION_STITCH_H
 
 #include <CGAL/Reeb_quadrangulation/Quad_texture.h>
+#include <CGAL/Reeb_quadrangulation/t_junctions.h>
 
 #include <map>
 #include <vector>
@@ -31,12 +32,17 @@ std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
 /// the walk's number of samples.
 std::vector<double> walk_coordinates(const Walk& walk, const Contour_samples& samples);
 
-/// A chart's texture and how its sides meet the walks' samples: texture vertex `sides[w][i]` is sample `i - offset[w]` of
+/// A chart's texture and how its sides meet the walks' samples: texture vertex `sides[w][i]` is sample `steps[w][i] - offset[w]` of
 /// walk `w`, modulo their number.
 struct Placed_texture {
   Quad_texture texture;
   std::array<int, 2> offset{{0, 0}};
   std::vector<Chart_location> location; ///< of each texture vertex
+  /// Where each side's vertices lie, in sample steps: increasing, in [0, number of samples). Empty: entry i at i, until an edit
+  /// adds vertices between samples or takes some away.
+  std::array<std::vector<double>, 2> steps;
+
+  double step(int side, int entry) const { return steps[side].empty() ? entry : steps[side][entry]; }
 };
 
 /// What the user decides about a chart's texture.
@@ -65,8 +71,21 @@ struct Stitched_mesh {
   Quad_mesh mesh;
   std::vector<int> node_vertex; ///< per node of the network; -1 for one that no contour has any more
   std::vector<int> chart_of_quad;
-  std::map<int, int> valences; ///< predicted from the layout alone: valence -> number of vertices inside
+  std::map<int, int> valences;    ///< predicted from the layout alone: valence -> number of vertices inside
+  std::vector<int> extraordinary; ///< the vertices that resolving T-junctions made extraordinary
+  int t_junctions = 0;            ///< vertices of one side of a contour edge that the other had not
+  int holes = 0;                  ///< quads of the textures that were left out
 };
+
+/// Joins the placed textures. Where the charts on both sides of a contour edge have a vertex in the same place, they meet by
+/// identity; where one has more between two such places, the nearest meet and the others are T-junctions, which
+/// `resolve_t_junctions()` takes away in the coarser chart. Quads that are holes are left out at the end. Fails with
+/// `refused_edit` where a side has no vertex at a node or the quads at a vertex are not one fan because of holes, and as
+/// `resolve_t_junctions()` does.
+Result<Stitched_mesh> stitch_textures(const Embedding& embedding, const Contour_network& network,
+                                      const Atlas& atlas, const Contour_samples& samples,
+                                      const std::vector<const Placed_texture*>& textures,
+                                      const T_junction_options& options = {});
 
 /// Joins the placed textures by identity of their samples. \pre The textures' sides have the samples' numbers.
 Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,

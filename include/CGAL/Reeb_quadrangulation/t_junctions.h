@@ -33,9 +33,11 @@ struct Resolved_mesh {
   std::vector<int> parent; ///< per quad: the quad before that it is, or is a part of
   std::vector<int>
       extraordinary; ///< the vertices that became extraordinary, increasing: inside not of four quads, on the boundary not of two
-  int lines = 0;         ///< from a T-junction to another or to the boundary
-  int templates = 0;     ///< one quad split into four for two T-junctions of one edge
-  int boundary_ends = 0; ///< lines that ended on the boundary
+  std::vector<int> boundary_vertices; ///< the new ones on the boundary
+  std::vector<int> added_edges;       ///< per vertex: how many edges it got; all of a new vertex
+  int lines = 0;                      ///< from a T-junction to another or to the boundary
+  int templates = 0;                  ///< one quad split into four for two T-junctions of one edge
+  int boundary_ends = 0;              ///< lines that ended on the boundary
 };
 
 /// Makes a watertight all-quad mesh of one with T-junctions.
