@@ -103,7 +103,7 @@ Texture_place point_place(const Quad_texture& texture, const Quad_corner& c, dou
   const bool first =
       internal::orientation(q[0], q[1], q[2]) > 0 && internal::orientation(q[0], q[2], q[3]) > 0;
   const Plane_point &a = q[c.corner], &b = q[(c.corner + 1) % 4];
-  for (double depth : {0.5, 0.25, 0.75, 0.125, 0.0625, 0.015625, 1.0 / 1024})
+  for (double depth : {1.0 / 32, 0.125, 0.25, 0.5, 0.75, 1.0 / 128, 1.0 / 1024})
     for (int inside = 0; inside < 3; ++inside) {
       Plane_point m; // the middle of the quad's corners, or of one of its two triangles
       for (int i = 0; i < 4; ++i) {

@@ -90,10 +90,7 @@ public:
   }
 
   Result<Stitched_mesh> run(const T_junction_options& options) {
-    for (const Contour_node& node : m_network.nodes) {
-      m_out.node_vertex.push_back(int(m_out.mesh.points.size()));
-      m_out.mesh.points.push_back(m_embedding.surface.points[node.vertex]);
-    }
+    add_nodes();
     m_stops.resize(m_network.edges.size());
     m_first_on_edge.assign(m_network.edges.size(), 0);
     m_on_edge.assign(m_network.edges.size(), 0);
@@ -116,6 +113,16 @@ public:
   }
 
 private:
+  void add_nodes() {
+    std::vector<char> used(m_network.nodes.size(), 0);
+    for (const Contour_edge& e : m_network.edges)
+      if (!m_network.is_removed(e)) used[e.from] = used[e.to] = 1;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      m_out.node_vertex.push_back(used[i] ? int(m_out.mesh.points.size()) : -1);
+      if (used[i]) m_out.mesh.points.push_back(m_embedding.surface.points[m_network.nodes[i].vertex]);
+    }
+  }
+
   // A coarse edge between two texture vertices of a chart, and the vertices between, from the first to the second.
   struct Coarse_edge {
     int chart, from, to;
@@ -325,7 +332,7 @@ private:
     m_valence.resize(count);
     for (Quad& q : quads)
       for (int& v : q) v = number[v];
-    for (int& v : m_out.node_vertex) v = number[v];
+    for (int& v : m_out.node_vertex) v = v < 0 ? -1 : number[v];
     std::vector<int> extraordinary;
     for (int v : m_out.extraordinary)
       if (number[v] >= 0) extraordinary.push_back(number[v]);

@@ -59,10 +59,9 @@ Result<void> Hanging_mesh::add(const Hanging_edge& edge) {
     if (fine < 0 || opposite(fine) >= 0)
       return bad_hanging("has no finer quads on its other side", edge.quad);
     if (m_parts.find(chain[i], chain[i + 1]) >= 0) return bad_hanging("is named twice", edge.quad);
-    m_parts.set(chain[i], chain[i + 1], 0);
   }
   m_t_junctions.insert(m_t_junctions.end(), edge.vertices.begin(), edge.vertices.end());
-  m_hanging[{source(h), target(h)}] = edge.vertices;
+  set_hanging(source(h), target(h), edge.vertices);
   return {};
 }
 
@@ -105,18 +104,39 @@ std::vector<int> Hanging_mesh::take_hanging(int a, int b) {
   return vertices;
 }
 
+void Hanging_mesh::set_hanging(int a, int b, std::vector<int> vertices) {
+  if (vertices.empty()) return;
+  int from = a;
+  for (int v : vertices) {
+    m_parts.set(from, v, int(m_keys.size()));
+    from = v;
+  }
+  m_parts.set(from, b, int(m_keys.size()));
+  m_keys.push_back({a, b});
+  m_hanging[{a, b}] = std::move(vertices);
+}
+
 // The T-junction where a line begins or ends: the one next to where it turns, and in any case one with an even number on either
-// side. The rest stays on the two parts of the edge. On the boundary: a new vertex.
+// side. The rest stays on the two parts of the edge. On the boundary, or on a part of a hanging edge: a new vertex.
 int Hanging_mesh::end_of_line(const Crossing& c, bool start) {
   const int corner = start ? c.in : c.out, other = start ? c.out : c.in;
   const int a = m_quads[c.quad][corner], b = m_quads[c.quad][(corner + 1) % 4];
-  if (m_hanging.find({a, b}) == m_hanging.end()) return cross_edge(a, b);
+  if (m_hanging.find({a, b}) == m_hanging.end()) {
+    const int m = cross_edge(a, b);
+    if (const int k = m_parts.find(b, a); k >= 0) {
+      const Edge whole = m_keys[k];
+      std::vector<int> t = take_hanging(whole.first, whole.second);
+      t.insert(b == whole.first ? t.begin() : std::find(t.begin(), t.end(), b) + 1, m);
+      set_hanging(whole.first, whole.second, std::move(t));
+    }
+    return m;
+  }
   const std::vector<int> t = take_hanging(a, b);
   const int n = int(t.size());
   const int turn = (other - corner + 4) % 4;
   const int i = turn == 1 ? n - 1 : turn == 3 ? 0 : (n - 1) / 2 / 2 * 2;
-  if (i > 0) m_hanging[{a, t[i]}].assign(t.begin(), t.begin() + i);
-  if (i + 1 < n) m_hanging[{t[i], b}].assign(t.begin() + i + 1, t.end());
+  set_hanging(a, t[i], {t.begin(), t.begin() + i});
+  set_hanging(t[i], b, {t.begin() + i + 1, t.end()});
   return t[i];
 }
 
@@ -299,9 +319,17 @@ private:
         if (t->second.size() % 2 == 1) end(out, e.halfedge, cost);
       } else if (const int o = m_mesh.opposite(out); o >= 0)
         reach(o, e.halfedge, cost);
-      else if (!m_mesh.is_part(out) && m_options.may_end_on_boundary)
+      else if (const Hanging_mesh::Edge* whole = m_mesh.whole(out); whole != nullptr) {
+        if (m_mesh.find(*whole) != m_start) end(out, e.halfedge, cost + cost_of_part(*whole));
+      } else if (m_options.may_end_on_boundary)
         end(out, e.halfedge, cost);
     }
+  }
+
+  // A line that ends between two T-junctions of the coarser side gives it one more: that makes two of one, or an odd number that
+  // needs a line of its own.
+  double cost_of_part(const Hanging_mesh::Edge& whole) const {
+    return (m_mesh.hanging().at(whole).size() % 2 == 1 ? 4 : 8) * m_options.turn_cost;
   }
 
   void end(int h, int from, double cost) {
@@ -386,13 +414,19 @@ Result<Resolved_mesh> resolve_t_junctions(const Quad_mesh& mesh, const std::vect
   const auto order = lines_by_cost(work, edges, search);
   if (!order) return order.error();
   int lines = 0;
-  for (const Hanging_mesh::Edge& e : *order) {
-    const auto t = work.hanging().find(e);
-    if (t == work.hanging().end() || t->second.size() % 2 == 0) continue; // another line ended here
-    const Line_search::Line line = search.run(work.find(e));
-    if (line.cost < 0) return no_partner(e);
-    work.draw_line(line.path);
-    ++lines;
+  std::vector<Hanging_mesh::Edge> odd = *order;
+  const int enough = 16 * int(odd.size()) + 64;
+  while (!odd.empty()) {
+    for (const Hanging_mesh::Edge& e : odd) {
+      const auto t = work.hanging().find(e);
+      if (t == work.hanging().end() || t->second.size() % 2 == 0) continue; // another line ended here
+      const Line_search::Line line = search.run(work.find(e));
+      if (line.cost < 0 || ++lines > enough) return no_partner(e);
+      work.draw_line(line.path);
+    }
+    odd.clear();
+    for (const auto& [edge, vertices] : work.hanging())
+      if (vertices.size() % 2 == 1) odd.push_back(edge);
   }
   std::vector<Hanging_mesh::Edge> left;
   for (const auto& [edge, vertices] : work.hanging()) left.push_back(edge);

@@ -32,8 +32,11 @@ public:
   int opposite(int h) const { return m_table.find(target(h), source(h)); }
   int find(const Edge& e) const { return m_table.find(e.first, e.second); }
   bool is_fixed(int quad) const { return !m_options.fixed.empty() && m_options.fixed[m_parent[quad]]; }
-  /// Whether a halfedge without an opposite is a part of a hanging edge of the other side.
-  bool is_part(int h) const { return m_parts.find(target(h), source(h)) >= 0; }
+  /// The hanging edge of the other side of which a halfedge without an opposite is a part, or null.
+  const Edge* whole(int h) const {
+    const int k = m_parts.find(target(h), source(h));
+    return k < 0 ? nullptr : &m_keys[k];
+  }
   /// The T-junctions of each hanging edge, by its ends.
   const std::map<Edge, std::vector<int>>& hanging() const { return m_hanging; }
 
@@ -42,7 +45,7 @@ public:
     int quad, in, out;
   };
 
-  /// Draws a line along a path from a hanging edge to another, or to the boundary.
+  /// Draws a line along a path from a hanging edge to another, to the boundary, or to a part of one, which gets a T-junction.
   void draw_line(const std::vector<Crossing>& path);
   /// Joins the T-junctions of a hanging edge with an even number of them, the outermost first.
   void draw_templates(const Edge& edge);
@@ -61,6 +64,7 @@ private:
   void split(const Crossing& c, int m, int n);
   void replace(int quad, const std::vector<Quad>& parts);
   std::vector<int> take_hanging(int a, int b);
+  void set_hanging(int a, int b, std::vector<int> vertices);
 
   const T_junction_options& m_options;
   std::vector<Point> m_points;
@@ -69,7 +73,9 @@ private:
   std::vector<char> m_gone;
   std::vector<int> m_added_edges;
   Edge_table m_table; ///< directed edge -> halfedge
-  Edge_table m_parts; ///< directed edge of the coarse side, between consecutive T-junctions
+  Edge_table
+      m_parts; ///< directed edge of the coarse side, between consecutive T-junctions -> entry of `m_keys`
+  std::vector<Edge> m_keys;
   std::map<Edge, std::vector<int>> m_hanging;
   std::vector<int> m_t_junctions;
 };

@@ -13,7 +13,7 @@ Texture_place at(double v, double u) {
 } // namespace
 
 TEST_CASE("a place names a quad, its nearest edge and its nearest corner") {
-  const Quad_texture t = disc(3, 2);
+  const Quad_texture t = disc_texture(3, 2);
   REQUIRE(find_quad(t, at(1.5, 0.5)));
   CHECK(find_quad(t, at(1.5, 0.5))->quad == 1);
   CHECK(find_edge(t, at(1.5, 0.1))->corner == 0);
@@ -27,13 +27,13 @@ TEST_CASE("a place names a quad, its nearest edge and its nearest corner") {
 }
 
 TEST_CASE("a place on an annulus may be given on any turn, and quads over the seam are found") {
-  const Quad_texture t = annulus(5, 2);
+  const Quad_texture t = annulus_texture(5, 2);
   for (double turn : {-2.0, 0.0, 1.0}) CHECK(find_quad(t, at(0.95 + turn, 0.25))->quad == 4);
   CHECK(find_edge(t, at(0.99, 0.25))->corner == 1);
 }
 
 TEST_CASE("places by points name the same elements as places by numbers") {
-  Quad_texture t = annulus(6, 3);
+  Quad_texture t = annulus_texture(6, 3);
   t = applied(t, Close_quad{at(0.25, 0.5), 0.3});
   t = applied(t, Inset_quads{{at(0.6, 0.5)}, 0.5});
   for (int f = 0; f < int(t.quads.size()); ++f) {
@@ -47,7 +47,8 @@ TEST_CASE("places by points name the same elements as places by numbers") {
 }
 
 TEST_CASE("global subdivision and its reverse give the same bytes") {
-  for (const Quad_texture& t : {disc(1, 1), disc(3, 2), annulus(4, 2), annulus(7, 3)}) {
+  for (const Quad_texture& t :
+       {disc_texture(1, 1), disc_texture(3, 2), annulus_texture(4, 2), annulus_texture(7, 3)}) {
     const Result<Edited_texture> fine = apply(t, Subdivide_texture{});
     REQUIRE(fine);
     CHECK(is_sound(fine->texture));
@@ -59,12 +60,12 @@ TEST_CASE("global subdivision and its reverse give the same bytes") {
     }
     CHECK(bytes(applied(fine->texture, Coarsen_texture{})) == bytes(t));
   }
-  CHECK_THAT(reason(annulus(5, 2), Coarsen_texture{}), Contains("connectivity of a subdivided"));
-  CHECK_THAT(reason(annulus(4, 3), Coarsen_texture{}), Contains("connectivity of a subdivided"));
+  CHECK_THAT(reason(annulus_texture(5, 2), Coarsen_texture{}), Contains("connectivity of a subdivided"));
+  CHECK_THAT(reason(annulus_texture(4, 3), Coarsen_texture{}), Contains("connectivity of a subdivided"));
 }
 
 TEST_CASE("a polychord across an annulus lengthens both sides, and its deletion shortens them") {
-  const Quad_texture t = annulus(6, 3);
+  const Quad_texture t = annulus_texture(6, 3);
   const Insert_polychord insert{at(0.25, 0.01), 0.25};
   const Result<Edited_texture> more = apply(t, insert);
   REQUIRE(more);
@@ -86,20 +87,21 @@ TEST_CASE("a polychord across an annulus lengthens both sides, and its deletion 
 }
 
 TEST_CASE("a polychord around an annulus leaves the sides alone") {
-  const Quad_texture t = annulus(6, 3);
+  const Quad_texture t = annulus_texture(6, 3);
   const Insert_polychord insert{at(0.17, 0.5)};
   const Quad_texture more = applied(t, insert);
   CHECK(more.quads.size() == 24);
   CHECK(more.sides == t.sides);
   CHECK(polychord_ends(t, insert)->empty());
   CHECK(applied(more, Delete_polychord{at(0.17, 0.4)}).quads.size() == 18);
-  CHECK_THAT(reason(annulus(4, 2), Delete_polychord{at(0.01, 0.25)}), Contains("side to side"));
-  CHECK_THAT(reason(annulus(4, 1), Delete_polychord{at(0.01, 0.5)}), Contains("vertices of the sides"));
+  CHECK_THAT(reason(annulus_texture(4, 2), Delete_polychord{at(0.01, 0.25)}), Contains("side to side"));
+  CHECK_THAT(reason(annulus_texture(4, 1), Delete_polychord{at(0.01, 0.5)}),
+             Contains("vertices of the sides"));
 }
 
 TEST_CASE("a disc keeps its corners, an annulus its entry 0, and what it is told to keep") {
-  CHECK_THAT(reason(disc(1, 3), Delete_polychord{at(0.5, 0.1)}), Contains("must stay"));
-  const Quad_texture less = applied(disc(2, 2), Delete_polychord{at(0.5, 0.01), 1});
+  CHECK_THAT(reason(disc_texture(1, 3), Delete_polychord{at(0.5, 0.1)}), Contains("must stay"));
+  const Quad_texture less = applied(disc_texture(2, 2), Delete_polychord{at(0.5, 0.01), 1});
   CHECK(less.sides[0].size() == 6);
   for (const double u : {0.0, 2.0})
     for (const double v : {0.0, 2.0}) {
@@ -107,7 +109,7 @@ TEST_CASE("a disc keeps its corners, an annulus its entry 0, and what it is told
       for (int s : less.sides[0]) found = found || (less.v[s] == v && less.u[s] == u);
       CHECK(found);
     }
-  const Quad_texture t = annulus(5, 2);
+  const Quad_texture t = annulus_texture(5, 2);
   const Delete_polychord collapse{at(0.3, 0.01), 0.5};
   CHECK(apply(t, collapse)->side_steps[0] == std::vector<double>{0, 1, 3, 4});
   CHECK(apply(t, collapse, {{{2}, {}}})->side_steps[0] == std::vector<double>{0, 2, 3, 4});
@@ -116,13 +118,13 @@ TEST_CASE("a disc keeps its corners, an annulus its entry 0, and what it is told
 }
 
 TEST_CASE("an edge of an annulus must be shorter than half a turn") {
-  CHECK(applied(annulus(5, 2), Delete_polychord{at(0.3, 0.01)}).sides[0].size() == 4);
-  CHECK_THAT(reason(annulus(4, 2), Delete_polychord{at(0.3, 0.01)}), Contains("invert"));
-  CHECK_THAT(reason(annulus(3, 2), Delete_polychord{at(0.5, 0.01)}), Contains("two edges"));
+  CHECK(applied(annulus_texture(5, 2), Delete_polychord{at(0.3, 0.01)}).sides[0].size() == 4);
+  CHECK_THAT(reason(annulus_texture(4, 2), Delete_polychord{at(0.3, 0.01)}), Contains("invert"));
+  CHECK_THAT(reason(annulus_texture(3, 2), Delete_polychord{at(0.5, 0.01)}), Contains("two edges"));
 }
 
 TEST_CASE("an inset makes a ring around a quad, with eight extraordinary vertices") {
-  const Quad_texture t = annulus(6, 3);
+  const Quad_texture t = annulus_texture(6, 3);
   const Quad_texture cube = applied(t, Inset_quads{{at(0.25, 0.5)}, 0.5});
   CHECK(cube.quads.size() == t.quads.size() + 4);
   CHECK(inner_valences(cube) == std::map<int, int>{{3, 4}, {4, 8}, {5, 4}});
@@ -132,7 +134,7 @@ TEST_CASE("an inset makes a ring around a quad, with eight extraordinary vertice
 }
 
 TEST_CASE("an inset of a region may touch the sides, and be undone by deleting its ring") {
-  const Quad_texture t = disc(4, 4);
+  const Quad_texture t = disc_texture(4, 4);
   const Quad_texture cube = applied(t, Inset_quads{{at(0.5, 0.5), at(1.5, 0.5), at(1.5, 1.5)}, 0.5});
   CHECK(cube.quads.size() == 16 + 8);
   const Quad_texture back = applied(cube, Delete_polychord{edge_place(cube, side_edge(cube, 0, 0)), 0.5});
@@ -141,13 +143,13 @@ TEST_CASE("an inset of a region may touch the sides, and be undone by deleting i
   CHECK_THAT(reason(t, Inset_quads{{}, 0.5}), Contains("no quads"));
   CHECK_THAT(reason(t, Inset_quads{{at(0.5, 0.5)}, 1.5}), Contains("between 0 and 1"));
   // All of an annulus: a new row along either side.
-  CHECK(inner_valences(applied(annulus(4, 1),
+  CHECK(inner_valences(applied(annulus_texture(4, 1),
                                Inset_quads{{at(0.1, 0.5), at(0.3, 0.5), at(0.6, 0.5), at(0.9, 0.5)}, 0.5})) ==
         std::map<int, int>{{4, 8}});
 }
 
 TEST_CASE("opening a quad and closing it") {
-  const Quad_texture t = disc(4, 4);
+  const Quad_texture t = disc_texture(4, 4);
   const Quad_texture open = applied(t, Open_quad{at(1.5, 1.99), at(2.5, 1.99), 0.5});
   CHECK(open.quads.size() == 17);
   CHECK(inner_valences(open) == std::map<int, int>{{3, 2}, {4, 6}, {5, 2}});
@@ -161,7 +163,7 @@ TEST_CASE("opening a quad and closing it") {
 }
 
 TEST_CASE("opening at a side vertex leaves the side as it is") {
-  const Quad_texture t = disc(4, 4);
+  const Quad_texture t = disc_texture(4, 4);
   for (const Open_quad& edit :
        {Open_quad{at(1.5, 0.01), at(2.5, 0.01)}, Open_quad{at(2.01, 0.5), at(2.5, 0.01)},
         Open_quad{at(1.5, 0.01), at(2.01, 0.5)}}) {
@@ -174,16 +176,16 @@ TEST_CASE("opening at a side vertex leaves the side as it is") {
 }
 
 TEST_CASE("closing a quad at a side keeps the side's vertex") {
-  const Quad_texture t = annulus(6, 3);
+  const Quad_texture t = annulus_texture(6, 3);
   const Quad_texture closed = applied(t, Close_quad{at(0.18, 0.05), 0.5});
   CHECK(closed.quads.size() == 17);
   CHECK(closed.sides[0].size() == 6);
   for (int i = 0; i < 6; ++i) CHECK(closed.u[closed.sides[0][i]] == 0);
-  CHECK_THAT(reason(annulus(6, 1), Close_quad{at(0.18, 0.05)}), Contains("sides"));
+  CHECK_THAT(reason(annulus_texture(6, 1), Close_quad{at(0.18, 0.05)}), Contains("sides"));
 }
 
 TEST_CASE("an edge turns one way and back") {
-  const Quad_texture t = disc(4, 3);
+  const Quad_texture t = disc_texture(4, 3);
   for (bool ccw : {false, true}) {
     const Quad_texture turned = applied(t, Rotate_edge{at(1.99, 1.5), ccw});
     CHECK(inner_valences(turned) == std::map<int, int>{{3, 2}, {4, 2}, {5, 2}});
@@ -195,7 +197,7 @@ TEST_CASE("an edge turns one way and back") {
 }
 
 TEST_CASE("turning a vertex twice changes nothing, and takes an edge from each neighbour") {
-  const Quad_texture t = disc(6, 6);
+  const Quad_texture t = disc_texture(6, 6);
   const Quad_texture turned = applied(t, Rotate_vertex{at(3.1, 3.1)});
   CHECK(inner_valences(turned) == std::map<int, int>{{3, 4}, {4, 17}, {5, 4}});
   CHECK(same_mesh(applied(turned, Rotate_vertex{at(3.1, 3.1)}), t));
@@ -203,7 +205,7 @@ TEST_CASE("turning a vertex twice changes nothing, and takes an edge from each n
 }
 
 TEST_CASE("a doublet comes and goes") {
-  const Quad_texture t = disc(3, 3);
+  const Quad_texture t = disc_texture(3, 3);
   const Quad_texture doublet = applied(t, Insert_doublet{at(1.1, 1.1)});
   CHECK(doublet.quads.size() == 10);
   CHECK(inner_valences(doublet) == std::map<int, int>{{2, 1}, {4, 2}, {5, 2}});
@@ -213,7 +215,7 @@ TEST_CASE("a doublet comes and goes") {
 }
 
 TEST_CASE("closing a quad beside a doublet removes the singlet that it would leave") {
-  const Quad_texture t = applied(disc(3, 3), Insert_doublet{at(1.1, 1.1)});
+  const Quad_texture t = applied(disc_texture(3, 3), Insert_doublet{at(1.1, 1.1)});
   // The corner of the lower right quad at (2, 1): its diagonal joins it with the doublet's vertex; the other joins the doublet's ends.
   const Result<Quad_corner> corner = find_vertex(t, at(1.15, 1.02));
   REQUIRE(corner);
@@ -223,7 +225,7 @@ TEST_CASE("closing a quad beside a doublet removes the singlet that it would lea
 }
 
 TEST_CASE("holes stay in the texture, go with its quads, and can be filled") {
-  const Quad_texture t = annulus(6, 3);
+  const Quad_texture t = annulus_texture(6, 3);
   const Quad_texture hole = applied(t, Delete_quads{{at(0.25, 0.5), at(0.42, 0.5)}});
   CHECK(hole.quads == t.quads);
   CHECK(hole.holes[7] + hole.holes[8] == 2);
@@ -235,11 +237,11 @@ TEST_CASE("holes stay in the texture, go with its quads, and can be filled") {
   CHECK_THAT(reason(hole, Restore_quads{{at(0.25, 0.1)}}), Contains("no hole"));
   CHECK_THAT(reason(hole, Delete_quads{{at(0.6, 0.9)}}), Contains("one fan"));
   CHECK_THAT(reason(hole, Rotate_edge{at(0.25, 0.35), true}), Contains("border of a hole"));
-  CHECK_THAT(reason(disc(1, 1), Delete_quads{{at(0.5, 0.5)}}), Contains("no quad"));
+  CHECK_THAT(reason(disc_texture(1, 1), Delete_quads{{at(0.5, 0.5)}}), Contains("no quad"));
 }
 
 TEST_CASE("a moved vertex goes where it is told, or as far as no quad inverts") {
-  const Quad_texture t = disc(4, 4);
+  const Quad_texture t = disc_texture(4, 4);
   Move_vertices move;
   move.vertices = {at(2.1, 2.1)};
   move.dv = 0.25;
@@ -260,7 +262,7 @@ TEST_CASE("a moved vertex goes where it is told, or as far as no quad inverts") 
 }
 
 TEST_CASE("a brush moves near vertices more than far ones, and anchors not at all") {
-  const Quad_texture t = disc(8, 8);
+  const Quad_texture t = disc_texture(8, 8);
   for (Falloff falloff : {Falloff::constant, Falloff::linear, Falloff::smooth}) {
     Move_vertices move;
     move.vertices = {at(4.1, 4.1)};
@@ -284,7 +286,7 @@ TEST_CASE("a brush moves near vertices more than far ones, and anchors not at al
 }
 
 TEST_CASE("relaxation brings a disturbed grid back, but for anchors") {
-  const Quad_texture t = disc(6, 5);
+  const Quad_texture t = disc_texture(6, 5);
   Quad_texture noisy = t;
   Random random(7);
   for (int y = 1; y < 5; ++y)
@@ -302,7 +304,7 @@ TEST_CASE("relaxation brings a disturbed grid back, but for anchors") {
 }
 
 TEST_CASE("moving with relaxation draws the neighbours along") {
-  const Quad_texture t = annulus(8, 6);
+  const Quad_texture t = annulus_texture(8, 6);
   Move_vertices move;
   move.vertices = {at(0.01, 0.51)};
   move.dv = -0.05;
@@ -317,20 +319,20 @@ TEST_CASE("moving with relaxation draws the neighbours along") {
 }
 
 TEST_CASE("a texture that is none is refused, not read out of its bounds") {
-  Quad_texture t = disc(2, 2);
+  Quad_texture t = disc_texture(2, 2);
   t.quads[0][0] = 99;
   CHECK_THAT(reason(t, Subdivide_texture{}), Contains("does not exist"));
-  t = disc(2, 2);
+  t = disc_texture(2, 2);
   t.u.pop_back();
   CHECK_THAT(reason(t, Subdivide_texture{}), Contains("arrays"));
-  t = disc(2, 2);
+  t = disc_texture(2, 2);
   t.sides[0].clear();
   CHECK_THAT(reason(t, Subdivide_texture{}), Contains("side"));
-  t = disc(2, 2);
+  t = disc_texture(2, 2);
   t.quads.pop_back();
   CHECK_THAT(reason(t, Subdivide_texture{}), Contains("side"));
-  CHECK_THAT(reason(disc(2, 2), Subdivide_texture{}), Contains("applied"));
-  CHECK_THAT(reason(disc(2, 2), Close_quad{at(std::nan(""), 0)}), Contains("finite"));
+  CHECK_THAT(reason(disc_texture(2, 2), Subdivide_texture{}), Contains("applied"));
+  CHECK_THAT(reason(disc_texture(2, 2), Close_quad{at(std::nan(""), 0)}), Contains("finite"));
 }
 
 TEST_CASE("each edit has its name") {

@@ -5,6 +5,8 @@
 
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 
+#include "tiny_surfaces.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -17,13 +19,13 @@ namespace tiny {
 
 using namespace CGAL::Reeb_quadrangulation;
 
-inline Quad_texture annulus(int columns, int rows) {
+inline Quad_texture annulus_texture(int columns, int rows) {
   std::vector<double> levels;
   for (int r = 0; r <= rows; ++r) levels.push_back(double(r) / rows);
   return regular_annulus_texture(columns, levels);
 }
 
-inline Quad_texture disc(int a, int b) {
+inline Quad_texture disc_texture(int a, int b) {
   return regular_disc_texture(a, b, false);
 }
 
@@ -104,23 +106,6 @@ inline bool same_mesh(const Quad_texture& a, const Quad_texture& b, double toler
     for (int& v : side) v = to[v];
   return sides == b.sides && canonical(a, &to) == canonical(b, nullptr);
 }
-
-/// A fixed sequence of pseudo-random numbers.
-class Random {
-public:
-  explicit Random(std::uint64_t seed) : m_state(seed * 0x9e3779b97f4a7c15u + 1) {}
-  std::uint64_t next() {
-    m_state ^= m_state << 13;
-    m_state ^= m_state >> 7;
-    m_state ^= m_state << 17;
-    return m_state;
-  }
-  int below(int n) { return int(next() % std::uint64_t(n)); }
-  double unit() { return double(next() >> 11) / double(std::uint64_t(1) << 53); }
-
-private:
-  std::uint64_t m_state;
-};
 
 } // namespace tiny
 

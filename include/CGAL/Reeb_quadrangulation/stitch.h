@@ -69,7 +69,7 @@ Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& sam
 /// The stitched quad mesh and what every vertex is.
 struct Stitched_mesh {
   Quad_mesh mesh;
-  std::vector<int> node_vertex; ///< per node of the network; -1 for one that no contour has any more
+  std::vector<int> node_vertex; ///< per node of the network; -1 for one that no contour or quad has any more
   std::vector<int> chart_of_quad;
   std::map<int, int> valences;    ///< predicted from the layout alone: valence -> number of vertices inside
   std::vector<int> extraordinary; ///< the vertices that resolving T-junctions made extraordinary

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_CHART_TEXTURE_EDIT_H
+#define CGAL_REEB_QUADRANGULATION_CHART_TEXTURE_EDIT_H
+
+#include <CGAL/Reeb_quadrangulation/Texture_edit.h>
+#include <CGAL/Reeb_quadrangulation/stitch.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// Applies an edit to the texture of a chart, whose sides keep their vertices at the contours' nodes, and finds its new vertices on the
+/// chart; the argument is left alone. Vertices of the sides may come and go: `stitch_textures()` joins the chart with its neighbours all
+/// the same. Fails as `apply()` of a texture does. O(Q + F).
+Result<Placed_texture> apply(const Placed_texture& placed, const Chart& chart,
+                             const Chart_parameterization& map, const Contour_samples& samples,
+                             const Texture_edit& edit);
+
+/// A polychord to be inserted in a chart.
+struct Chart_polychord {
+  int chart = -1;
+  Insert_polychord edit;
+};
+
+/// Carries a polychord from a chart across the contours through all charts until it closes or ends on boundary loops: the insertions to
+/// be applied, in any order, after which both sides of each contour that it crosses have a new vertex in the same place. The edges are
+/// named by points. `textures` are those of the atlas' charts. Fails with `refused_edit` where sides do not meet edge by edge.
+Result<std::vector<Chart_polychord>>
+polychord_through_charts(const Atlas& atlas, const Contour_samples& samples,
+                         const std::vector<const Placed_texture*>& textures, const Chart_polychord& start);
+
+/// The change of (V, U) that moves the texture's point at `location` by `displacement` in space, as far as it lies in the
+/// surface there: a drag follows the pointer. Zero where the map is degenerate.
+Eigen::Vector2d parameter_displacement(const Chart& chart, const Chart_parameterization& map,
+                                       const Chart_location& location, const Eigen::Vector3d& displacement);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_CHART_TEXTURE_EDIT_H

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+int number_of_samples(const Walk& walk, const Contour_samples& samples) {
+  int n = 0;
+  for (const Walk_edge& we : walk.edges) n += samples.counts[we.edge];
+  return n;
+}
+
+// The place on the walk, in samples from its first node, of a number of steps along the texture's side.
+double on_walk(const Placed_texture& placed, int w, double step, int samples) {
+  double at = step + ((-placed.offset[w] % samples) + samples) % samples;
+  return at >= samples ? at - samples : at;
+}
+
+// The entries of a side that lie at the contours' nodes.
+std::vector<int> nodes_of_side(const Placed_texture& placed, const Walk& walk, int w,
+                               const Contour_samples& samples) {
+  const int n = number_of_samples(walk, samples);
+  std::vector<double> nodes;
+  double before = 0;
+  for (const Walk_edge& we : walk.edges) {
+    nodes.push_back(before);
+    before += samples.counts[we.edge];
+  }
+  std::vector<int> entries;
+  for (int i = 0; i < int(placed.texture.sides[w].size()); ++i)
+    if (std::binary_search(nodes.begin(), nodes.end(), on_walk(placed, w, placed.step(w, i), n)))
+      entries.push_back(i);
+  return entries;
+}
+
+// Steps along the side before an edit, in samples; the entry after the last is the first again.
+double interpolate(const Placed_texture& placed, int w, double entry, int samples) {
+  const int size = int(placed.texture.sides[w].size());
+  const int i = std::min(size - 1, int(entry));
+  const double a = placed.step(w, i), b = i + 1 < size ? placed.step(w, i + 1) : samples + placed.step(w, 0);
+  return entry == i ? a : a + (entry - i) * (b - a);
+}
+
+// A contour edge needs a vertex between its nodes, or two if it is a loop: else two edges would join the same vertices.
+Result<void> check_contour_edges(const Placed_texture& placed, const Chart& chart,
+                                 const Contour_samples& samples) {
+  for (std::size_t w = 0; w < chart.walks.size(); ++w) {
+    const Walk& walk = chart.walks[w];
+    const int n = number_of_samples(walk, samples);
+    std::vector<double> at;
+    for (int i = 0; i < int(placed.texture.sides[w].size()); ++i)
+      at.push_back(on_walk(placed, int(w), placed.step(int(w), i), n));
+    std::sort(at.begin(), at.end());
+    double before = 0;
+    for (std::size_t i = 0; i < walk.edges.size(); ++i) {
+      const auto node = [&](std::size_t k) {
+        return chart.vertex_origin[walk.vertices[walk.edges[k % walk.edges.size()].begin]];
+      };
+      const double after = before + samples.counts[walk.edges[i].edge];
+      const auto inside =
+          std::lower_bound(at.begin(), at.end(), after) - std::upper_bound(at.begin(), at.end(), before);
+      if (inside < (node(i) == node(i + 1) ? 2 : 1))
+        return make_error(Error_code::refused_edit,
+                          "the edit would leave a contour too few vertices between its nodes");
+      before = after;
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+Result<Placed_texture> apply(const Placed_texture& placed, const Chart& chart,
+                             const Chart_parameterization& map, const Contour_samples& samples,
+                             const Texture_edit& edit) {
+  Texture_limits limits;
+  for (std::size_t w = 0; w < chart.walks.size(); ++w)
+    limits.kept.push_back(nodes_of_side(placed, chart.walks[w], int(w), samples));
+  Result<Edited_texture> edited = apply(placed.texture, edit, limits);
+  if (!edited) return edited.error();
+  Placed_texture out;
+  out.offset = placed.offset;
+  for (std::size_t w = 0; w < chart.walks.size(); ++w) {
+    const int n = number_of_samples(chart.walks[w], samples);
+    bool plain = int(edited->side_steps[w].size()) == n;
+    for (double entry : edited->side_steps[w]) {
+      out.steps[w].push_back(interpolate(placed, int(w), entry, n));
+      plain = plain && out.steps[w].back() == double(out.steps[w].size()) - 1;
+    }
+    if (plain) out.steps[w].clear();
+  }
+  out.texture = std::move(edited->texture);
+  if (Result<void> checked = check_contour_edges(out, chart, samples); !checked) return checked.error();
+  out.location = locate(chart, map, out.texture.v, out.texture.u);
+  return out;
+}
+
+namespace {
+
+// A place between two vertices of a side of a chart.
+struct Side_place {
+  int chart, walk, step;
+  double fraction; ///< from entry `step` of the side to the next
+};
+
+// The same place on the other side of its contour edge; chart -1 on a boundary loop.
+class Contour_crossing {
+public:
+  Contour_crossing(const Atlas& atlas, const Contour_samples& samples,
+                   const std::vector<const Placed_texture*>& textures)
+      : m_atlas(atlas), m_samples(samples), m_textures(textures) {
+    m_passes.resize(samples.counts.size());
+    for (std::size_t c = 0; c < atlas.charts.size(); ++c)
+      for (std::size_t w = 0; w < atlas.charts[c]->walks.size(); ++w) {
+        const Walk& walk = atlas.charts[c]->walks[w];
+        int before = 0;
+        for (const Walk_edge& we : walk.edges) {
+          m_passes[we.edge][(walk.side == Side::low) == we.forward ? 0 : 1] = {int(c), int(w), before,
+                                                                               we.forward};
+          before += samples.counts[we.edge];
+        }
+      }
+  }
+
+  Result<Side_place> cross(const Side_place& p) const {
+    const Walk& walk = m_atlas.charts[p.chart]->walks[p.walk];
+    const Placed_texture& placed = *m_textures[p.chart];
+    const int n = number_of_samples(walk, m_samples);
+    double at = on_walk(placed, p.walk, interpolate(placed, p.walk, p.step + p.fraction, n), n);
+    std::size_t i = 0;
+    for (; i + 1 < walk.edges.size() && at >= m_samples.counts[walk.edges[i].edge]; ++i)
+      at -= m_samples.counts[walk.edges[i].edge];
+    const Walk_edge& we = walk.edges[i];
+    const int count = m_samples.counts[we.edge];
+    const bool left = (walk.side == Side::low) == we.forward;
+    const Pass& other = m_passes[we.edge][left ? 1 : 0];
+    if (other.chart < 0) return Side_place{-1, 0, 0, 0};
+    const double along = we.forward == other.forward ? at : count - at;
+    return find(other, other.before + along);
+  }
+
+private:
+  struct Pass {
+    int chart = -1, walk = 0, before = 0;
+    bool forward = true;
+  };
+
+  // The edge of a side that contains a place of its walk.
+  Result<Side_place> find(const Pass& pass, double at) const {
+    const Placed_texture& placed = *m_textures[pass.chart];
+    const int n = number_of_samples(m_atlas.charts[pass.chart]->walks[pass.walk], m_samples);
+    const int size = int(placed.texture.sides[pass.walk].size());
+    for (int i = 0; i < size; ++i) {
+      const double a = on_walk(placed, pass.walk, placed.step(pass.walk, i), n);
+      double b = on_walk(placed, pass.walk, placed.step(pass.walk, (i + 1) % size), n), x = at;
+      if (b <= a) b += n;
+      if (x < a) x += n;
+      if (a < x && x < b) return Side_place{pass.chart, pass.walk, i, (x - a) / (b - a)};
+    }
+    return make_error(Error_code::refused_edit,
+                      "the polychord meets a vertex of the chart on the other side of a contour",
+                      Element_kind::chart, pass.chart);
+  }
+
+  const Atlas& m_atlas;
+  const Contour_samples& m_samples;
+  const std::vector<const Placed_texture*>& m_textures;
+  std::vector<std::array<Pass, 2>> m_passes; ///< per contour edge: left and right
+};
+
+// The insertion that begins at a place of a side.
+Insert_polychord insertion(const Quad_texture& texture, const Side_place& p) {
+  const Quad_corner edge = side_edge(texture, p.walk, p.step);
+  const bool along = texture.quads[edge.quad][edge.corner] == texture.sides[p.walk][p.step];
+  return {edge_place(texture, edge), along ? p.fraction : 1 - p.fraction};
+}
+
+} // namespace
+
+Result<std::vector<Chart_polychord>>
+polychord_through_charts(const Atlas& atlas, const Contour_samples& samples,
+                         const std::vector<const Placed_texture*>& textures, const Chart_polychord& start) {
+  const Contour_crossing crossing(atlas, samples, textures);
+  std::vector<Chart_polychord> out{start};
+  const Result<std::vector<Polychord_end>> first = polychord_ends(textures[start.chart]->texture, start.edit);
+  if (!first) return first.error();
+  if (first->empty()) return out;
+  const Polychord_end& home = (*first)[1];
+  std::size_t edges = 0;
+  for (const Placed_texture* t : textures) edges += t->texture.sides[0].size() + t->texture.quads.size();
+  // From the one end forward; if that meets the boundary, from the other end too.
+  for (const Polychord_end& end : *first) {
+    Side_place at{start.chart, end.side, end.step, end.fraction};
+    for (std::size_t passes = 0; passes <= edges; ++passes) {
+      const Result<Side_place> entered = crossing.cross(at);
+      if (!entered) return entered.error();
+      if (entered->chart < 0) break;
+      if (entered->chart == start.chart && entered->walk == home.side && entered->step == home.step)
+        return out;
+      const Quad_texture& texture = textures[entered->chart]->texture;
+      out.push_back({entered->chart, insertion(texture, *entered)});
+      const auto ends = polychord_ends(texture, out.back().edit);
+      if (!ends) return ends.error();
+      const bool came_by_first = (*ends)[0].side == entered->walk && (*ends)[0].step == entered->step;
+      const Polychord_end& next = (*ends)[came_by_first ? 1 : 0];
+      at = {entered->chart, next.side, next.step, next.fraction};
+    }
+  }
+  return out;
+}
+
+Eigen::Vector2d parameter_displacement(const Chart& chart, const Chart_parameterization& map,
+                                       const Chart_location& location, const Eigen::Vector3d& displacement) {
+  const Triangle& t = chart.mesh.triangles[location.face];
+  const int h = 3 * location.face;
+  const Eigen::Vector3d e1 = chart.mesh.points[t[1]] - chart.mesh.points[t[0]],
+                        e2 = chart.mesh.points[t[2]] - chart.mesh.points[t[0]];
+  const double a = e1.dot(e1), b = e1.dot(e2), c = e2.dot(e2), det = a * c - b * b;
+  if (!(det > 0)) return Eigen::Vector2d::Zero();
+  const double x = e1.dot(displacement), y = e2.dot(displacement);
+  const double s = (c * x - b * y) / det, r = (a * y - b * x) / det;
+  const Eigen::Vector2d d1(map.v()[t[1]] + map.jump(h) - map.v()[t[0]], map.u()[t[1]] - map.u()[t[0]]),
+      d2(map.v()[t[2]] - map.jump(h + 2) - map.v()[t[0]], map.u()[t[2]] - map.u()[t[0]]);
+  return s * d1 + r * d2;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
