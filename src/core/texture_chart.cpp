@@ -75,13 +75,13 @@ Result<void> check_contour_edges(const Placed_texture& placed, const Chart& char
 
 } // namespace
 
-Result<Placed_texture> apply(const Placed_texture& placed, const Chart& chart,
-                             const Chart_parameterization& map, const Contour_samples& samples,
-                             const Texture_edit& edit) {
+Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
+                                    const Chart_parameterization& map, const Contour_samples& samples,
+                                    const Texture_edit& edit) {
   Texture_limits limits;
   for (std::size_t w = 0; w < chart.walks.size(); ++w)
     limits.kept.push_back(nodes_of_side(placed, chart.walks[w], int(w), samples));
-  Result<Edited_texture> edited = apply(placed.texture, edit, limits);
+  Result<Edited_texture> edited = edit_texture(placed.texture, edit, limits);
   if (!edited) return edited.error();
   Placed_texture out;
   out.offset = placed.offset;

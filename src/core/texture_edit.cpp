@@ -17,8 +17,8 @@ const char* name(const Texture_edit& edit) {
   return names[edit.index()];
 }
 
-Result<Edited_texture> apply(const Quad_texture& texture, const Texture_edit& edit,
-                             const Texture_limits& limits) {
+Result<Edited_texture> edit_texture(const Quad_texture& texture, const Texture_edit& edit,
+                                    const Texture_limits& limits) {
   internal::Texture_draft draft(texture, limits);
   if (Result<void> connected = draft.connect(); !connected) return connected.error();
   const Result<void> drawn =

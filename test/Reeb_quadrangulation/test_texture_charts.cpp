@@ -51,7 +51,7 @@ Result<Stitched_mesh> joined(const stages::Stages& run, const std::vector<Placed
 
 Result<Placed_texture> edited(const stages::Stages& run, const std::vector<Placed_texture>& textures, int c,
                               const Texture_edit& edit) {
-  return apply(textures[c], *run.layout.atlas.charts[c], run.maps[c], run.samples, edit);
+  return edit_texture(textures[c], *run.layout.atlas.charts[c], run.maps[c], run.samples, edit);
 }
 
 /// A sentence if the mesh is not an all-quad manifold with the surface's Euler characteristic and the predicted valences.

@@ -49,7 +49,7 @@ TEST_CASE("places by points name the same elements as places by numbers") {
 TEST_CASE("global subdivision and its reverse give the same bytes") {
   for (const Quad_texture& t :
        {disc_texture(1, 1), disc_texture(3, 2), annulus_texture(4, 2), annulus_texture(7, 3)}) {
-    const Result<Edited_texture> fine = apply(t, Subdivide_texture{});
+    const Result<Edited_texture> fine = edit_texture(t, Subdivide_texture{});
     REQUIRE(fine);
     CHECK(is_sound(fine->texture));
     CHECK(fine->texture.quads.size() == 4 * t.quads.size());
@@ -67,7 +67,7 @@ TEST_CASE("global subdivision and its reverse give the same bytes") {
 TEST_CASE("a polychord across an annulus lengthens both sides, and its deletion shortens them") {
   const Quad_texture t = annulus_texture(6, 3);
   const Insert_polychord insert{at(0.25, 0.01), 0.25};
-  const Result<Edited_texture> more = apply(t, insert);
+  const Result<Edited_texture> more = edit_texture(t, insert);
   REQUIRE(more);
   CHECK(is_sound(more->texture));
   CHECK(more->texture.quads.size() == 21);
@@ -111,10 +111,11 @@ TEST_CASE("a disc keeps its corners, an annulus its entry 0, and what it is told
     }
   const Quad_texture t = annulus_texture(5, 2);
   const Delete_polychord collapse{at(0.3, 0.01), 0.5};
-  CHECK(apply(t, collapse)->side_steps[0] == std::vector<double>{0, 1, 3, 4});
-  CHECK(apply(t, collapse, {{{2}, {}}})->side_steps[0] == std::vector<double>{0, 2, 3, 4});
-  CHECK_THAT(apply(t, collapse, {{{1, 2}, {}}}).error().message, Contains("must stay"));
-  CHECK(apply(t, Delete_polychord{at(0.9, 0.01), 0})->side_steps[0] == std::vector<double>{0, 1, 2, 3});
+  CHECK(edit_texture(t, collapse)->side_steps[0] == std::vector<double>{0, 1, 3, 4});
+  CHECK(edit_texture(t, collapse, {{{2}, {}}})->side_steps[0] == std::vector<double>{0, 2, 3, 4});
+  CHECK_THAT(edit_texture(t, collapse, {{{1, 2}, {}}}).error().message, Contains("must stay"));
+  CHECK(edit_texture(t, Delete_polychord{at(0.9, 0.01), 0})->side_steps[0] ==
+        std::vector<double>{0, 1, 2, 3});
 }
 
 TEST_CASE("an edge of an annulus must be shorter than half a turn") {
@@ -167,7 +168,7 @@ TEST_CASE("opening at a side vertex leaves the side as it is") {
   for (const Open_quad& edit :
        {Open_quad{at(1.5, 0.01), at(2.5, 0.01)}, Open_quad{at(2.01, 0.5), at(2.5, 0.01)},
         Open_quad{at(1.5, 0.01), at(2.01, 0.5)}}) {
-    const Result<Edited_texture> open = apply(t, edit);
+    const Result<Edited_texture> open = edit_texture(t, edit);
     REQUIRE(open);
     CHECK(is_sound(open->texture));
     CHECK(open->texture.sides == t.sides);

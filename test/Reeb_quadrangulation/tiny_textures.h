@@ -40,14 +40,14 @@ inline bool is_sound(const Quad_texture& texture, bool clockwise = false) {
 }
 
 inline Quad_texture applied(const Quad_texture& texture, const Texture_edit& edit) {
-  const Result<Edited_texture> result = apply(texture, edit);
+  const Result<Edited_texture> result = edit_texture(texture, edit);
   if (!result) FAIL(result.error().message);
   CHECK(is_sound(result->texture));
   return result->texture;
 }
 
 inline std::string reason(const Quad_texture& texture, const Texture_edit& edit) {
-  const Result<Edited_texture> result = apply(texture, edit);
+  const Result<Edited_texture> result = edit_texture(texture, edit);
   if (result) return "applied";
   CHECK(result.error().code == Error_code::refused_edit);
   return result.error().message;

@@ -142,8 +142,8 @@ struct Edited_texture {
 /// Applies an edit to a texture, and leaves it alone: deterministic, O(Q). Fails with `refused_edit`, the reason and the element
 /// (a vertex or a face of `texture`) where the edit does not apply, would take away a side vertex that must stay, would
 /// give an annulus an edge from side to side, or would invert a quad in the plane (see `check_texture_plane()`).
-Result<Edited_texture> apply(const Quad_texture& texture, const Texture_edit& edit,
-                             const Texture_limits& limits = {});
+Result<Edited_texture> edit_texture(const Quad_texture& texture, const Texture_edit& edit,
+                                    const Texture_limits& limits = {});
 
 /// Where a polychord ends on a side: between entries `step` and `step` + 1, at `fraction` of the way.
 struct Polychord_end {

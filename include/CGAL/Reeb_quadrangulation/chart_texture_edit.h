@@ -12,10 +12,10 @@ namespace Reeb_quadrangulation {
 
 /// Applies an edit to the texture of a chart, whose sides keep their vertices at the contours' nodes, and finds its new vertices on the
 /// chart; the argument is left alone. Vertices of the sides may come and go: `stitch_textures()` joins the chart with its neighbours all
-/// the same. Fails as `apply()` of a texture does. O(Q + F).
-Result<Placed_texture> apply(const Placed_texture& placed, const Chart& chart,
-                             const Chart_parameterization& map, const Contour_samples& samples,
-                             const Texture_edit& edit);
+/// the same. Fails as `edit_texture()` of a texture alone does. O(Q + F).
+Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
+                                    const Chart_parameterization& map, const Contour_samples& samples,
+                                    const Texture_edit& edit);
 
 /// A polychord to be inserted in a chart.
 struct Chart_polychord {
