@@ -35,6 +35,13 @@ double length(const std::vector<Point>& points, const Contour_edge& edge) {
   return sum;
 }
 
+// Two discs of one quad each would have the same four vertices.
+bool between_discs(const Atlas& atlas, int edge) {
+  for (int c : atlas.charts_of_edge[edge])
+    if (c < 0 || atlas.charts[c]->kind != Chart_kind::disc) return false;
+  return true;
+}
+
 double area(const Triangle_surface& s) {
   double sum = 0;
   for (const Triangle& t : s.triangles)
@@ -76,6 +83,7 @@ Layout_sampling_problem sampling_problem(const std::vector<Point>& points, const
     e.length = length(points, edge);
     e.minimum = edge.from == edge.to ? 4 : 2;
     if (twice[i]) e.step = 1;
+    if (between_discs(atlas, int(i))) e.minimum = 8;
     longest = std::max(longest, e.length);
     index[i] = int(result.edges.size());
     result.edges.push_back(int(i));

@@ -20,24 +20,33 @@ public:
 
   Edit next() {
     switch (m_random.below(26)) {
-    case 0: return Add_extremum{vertex(), m_random.below(2) == 0, Edit_scope::chart, 0.1 + 0.8 * m_random.unit()};
+    case 0:
+      return Add_extremum{vertex(), m_random.below(2) == 0, Edit_scope::chart, 0.1 + 0.8 * m_random.unit()};
     case 1: return Add_extremum{vertex(), m_random.below(2) == 0, scope()};
     case 2: return Remove_extremum{extremum(), scope()};
     case 3: return Move_extremum{extremum(), vertex(), scope()};
     case 4: return Move_extremum{extremum(), near(extremum()), Edit_scope::chart};
     case 5: return Change_value{extremum(), m_random.unit()};
-    case 6: case 7: return Move_contour{contour(), tilted(), normal(), {}};
+    case 6:
+    case 7: return Move_contour{contour(), tilted(), normal(), {}};
     case 8: return Move_contour{contour(), tilted(), normal(), {contour(), contour()}};
     case 9: return Drag_contour{contour(), vertex()};
-    case 10: { const Surface_point c = contour(); return Drag_contour{c, near(c)}; }
+    case 10: {
+      const Surface_point c = contour();
+      return Drag_contour{c, near(c)};
+    }
     case 11: return Straighten_contour{contour()};
     case 12: return Snap_contour{contour(), 20 + 60 * m_random.unit()};
-    case 13: case 14: return Subdivide_chart{vertex()};
+    case 13:
+    case 14: return Subdivide_chart{vertex()};
     case 15: return Remove_contour{contour()};
     case 16: return Align_saddles{saddle(), saddle()};
     case 17: return m_random.below(3) == 0 ? Edit(Collapse_thin_charts{}) : Edit(Collapse_chart{vertex()});
     case 18: return Split_pole{extremum(), Pole_kind(m_random.below(3)), {}};
-    case 19: { const Surface_point e = extremum(); return Split_pole{e, Pole_kind::half, {near(e), near(e)}}; }
+    case 19: {
+      const Surface_point e = extremum();
+      return Split_pole{e, Pole_kind::half, {near(e), near(e)}};
+    }
     case 20: return Split_saddle{saddle(), Saddle_kind(m_random.below(2)), {}, 0.3 * m_random.unit()};
     case 21: return Pin_corners{m_random.below(2) == 0 ? vertex() : extremum()};
     case 22: return Move_corner{extremum(), contour()};
@@ -99,9 +108,7 @@ private:
     const Surface_point c = contour();
     return c.point + 0.05 * normal();
   }
-  Eigen::Vector3d normal() {
-    return {m_random.unit() - 0.5, m_random.unit() - 0.5, m_random.unit() - 0.5};
-  }
+  Eigen::Vector3d normal() { return {m_random.unit() - 0.5, m_random.unit() - 0.5, m_random.unit() - 0.5}; }
 
   const Editor& m_editor;
   tiny::Random& m_random;

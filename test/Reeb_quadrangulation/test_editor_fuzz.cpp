@@ -44,7 +44,8 @@ struct Tally {
 
 // The first sentence of a refusal.
 std::string reason(const Error& error) {
-  const std::string text = error.code == Error_code::infeasible_sampling ? "infeasible counts" : error.message;
+  const std::string text =
+      error.code == Error_code::infeasible_sampling ? "infeasible counts" : error.message;
   return text.substr(0, text.find(':'));
 }
 
@@ -109,7 +110,8 @@ int edits_asked() {
 
 TEST_CASE("random edits of surfaces of genus 0 to 5 keep every invariant, and every state comes back") {
   Tally tally;
-  const std::vector<std::string> names{"sphere", "torus", "bitorus", "genus-3", "genus-4", "genus-5", "l-shape", "cylinder"};
+  const std::vector<std::string> names{"sphere",  "torus",   "bitorus", "genus-3",
+                                       "genus-4", "genus-5", "l-shape", "cylinder"};
   const int runs = 5, each = std::max(1, edits_asked() / int(names.size()) / runs);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Result<Triangle_surface> surface = make_shape(names[i], 900);
