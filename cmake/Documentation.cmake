@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The target `doc` makes the manual in build/PRESET/doc/html; a warning of Doxygen is an error.
+# The target `doc` makes the manual in build/PRESET/doc/html (with the program and an example that draw its figures); a warning of Doxygen is an error.
 find_package(Doxygen QUIET)
-if(DOXYGEN_FOUND AND TARGET reebquad)
+if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
   set(doc_dir ${PROJECT_SOURCE_DIR}/doc/Reeb_quadrangulation)
   set(figure_dir ${PROJECT_BINARY_DIR}/doc/figures)
   configure_file(${doc_dir}/Doxyfile.in ${PROJECT_BINARY_DIR}/doc/Doxyfile @ONLY)
   add_custom_command(OUTPUT ${figure_dir}/quads.png
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:reebquad> -D OUT=${figure_dir} -P ${doc_dir}/fig/make_figures.cmake
     DEPENDS reebquad ${doc_dir}/fig/make_figures.cmake COMMENT "Making the manual's figures" VERBATIM)
+  add_custom_command(OUTPUT ${figure_dir}/texture_move_vertices.svg
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${figure_dir}
+    COMMAND $<TARGET_FILE:example_texture_pictures> ${figure_dir}
+    DEPENDS example_texture_pictures COMMENT "Drawing the texture operators" VERBATIM)
   add_custom_target(doc COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/doc/Doxyfile
-    DEPENDS ${figure_dir}/quads.png
+    DEPENDS ${figure_dir}/quads.png ${figure_dir}/texture_move_vertices.svg
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Making the manual" VERBATIM)
 endif()

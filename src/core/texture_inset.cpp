@@ -3,6 +3,7 @@
 #include "texture_operators.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace CGAL {
@@ -48,6 +49,48 @@ std::vector<int> region_border(const Texture_draft& draft, const std::vector<int
   return border;
 }
 
+struct Vector {
+  double v = 0, u = 0;
+};
+
+double cross(const Vector& a, const Vector& b) {
+  return a.v * b.u - a.u * b.v;
+}
+
+Vector from_to(const Texture_draft& draft, int a, int b) {
+  const Plane_point p = draft.point(a), q = draft.point(b);
+  return {draft.plane().step(p.v, q.v), q.u - p.u};
+}
+
+// From the middle of a border edge towards the middle of its quad, by the fraction `at` of the way.
+Vector edge_offset(const Texture_draft& draft, int h, double at) {
+  // Four times the way from the edge's source, to the edge's middle (taken away) and to the middle of the quad's corners.
+  const Vector along = from_to(draft, draft.source(h), draft.target(h));
+  Vector sum{-2 * along.v, -2 * along.u};
+  for (int k = next(h); k != h; k = next(k)) {
+    const Vector w = from_to(draft, draft.source(h), draft.source(k));
+    sum.v += w.v;
+    sum.u += w.u;
+  }
+  return {at * sum.v / 4, at * sum.u / 4};
+}
+
+// Where a border vertex goes: to where its two border edges meet after each was moved by its offset.
+Plane_point inset_corner(const Texture_draft& draft, int incoming, int outgoing, double at) {
+  const Plane_point p = draft.point(draft.source(outgoing));
+  const Vector e1 = from_to(draft, draft.source(incoming), draft.target(incoming)),
+               e2 = from_to(draft, draft.source(outgoing), draft.target(outgoing)),
+               o1 = edge_offset(draft, incoming, at), o2 = edge_offset(draft, outgoing, at);
+  Vector d{(o1.v + o2.v) / 2, (o1.u + o2.u) / 2};
+  const double size = (std::abs(e1.v) + std::abs(e1.u)) * (std::abs(e2.v) + std::abs(e2.u));
+  // Nearly parallel edges meet anywhere: their mean offset will do, and so it does where they would meet far away.
+  if (std::abs(cross(e1, e2)) > 1e-3 * size) {
+    const double s = cross({o2.v - o1.v, o2.u - o1.u}, e2) / cross(e1, e2);
+    if (std::abs(s) <= 1) d = {o1.v + s * e1.v, o1.u + s * e1.u};
+  }
+  return {draft.plane().wrapped(p.v + d.v), p.u + d.u};
+}
+
 } // namespace
 
 Result<void> draw(Texture_draft& draft, const Inset_quads& edit) {
@@ -55,18 +98,12 @@ Result<void> draw(Texture_draft& draft, const Inset_quads& edit) {
   const Result<std::vector<int>> region = find_quads(draft.before(), edit.quads);
   if (!region) return region.error();
   const std::vector<int> border = region_border(draft, *region);
-  std::map<int, std::vector<int>> quads_at; // the region's quads at each vertex of its border
-  std::map<int, int> times;
-  for (int h : border) {
-    quads_at[draft.source(h)];
-    if (++times[draft.source(h)] > 1)
+  std::map<int, int> outgoing, inner; // of each border vertex
+  for (int h : border)
+    if (!outgoing.insert({draft.source(h), h}).second)
       return refused("the region's border touches itself", Element_kind::vertex, draft.source(h));
-  }
-  for (int f : *region)
-    for (int v : draft.before().quads[f])
-      if (const auto at = quads_at.find(v); at != quads_at.end()) at->second.push_back(f);
-  std::map<int, int> inner;
-  for (const auto& [v, quads] : quads_at) inner[v] = draft.add_vertex(inward(draft, v, quads, edit.at));
+  for (int h : border)
+    inner[draft.target(h)] = draft.add_vertex(inset_corner(draft, h, outgoing.at(draft.target(h)), edit.at));
   for (int f : *region) {
     Quad q = draft.before().quads[f];
     for (int& v : q)

@@ -38,8 +38,8 @@ struct Delete_polychord {
   double at = 0.5;
 };
 
-/// Cube subdivision: insets a region of quads as one face of a cube, surrounded by a ring of new quads. Each corner of the
-/// region's border moves inward by `at` in (0, 1) of the way to the middle of its quads. The sides do not change. Undone by
+/// Cube subdivision: insets a region of quads as one face of a cube, surrounded by a ring of new quads. Each edge of the
+/// region's border moves inward by `at` in (0, 1) of the way to the middle of its quad. The sides do not change. Undone by
 /// `Delete_polychord` of the ring.
 struct Inset_quads {
   std::vector<Texture_place> quads;
