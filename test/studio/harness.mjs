@@ -83,7 +83,10 @@ export class Studio {
   async after(action) {
     const before = (await this.state())?.revision ?? 0;
     await action();
-    await this.page.waitForFunction((r) => (window.studio.store.get("state")?.revision ?? 0) > r && !window.studio.store.get("busy"), before, { timeout: patience });
+    await this.page.waitForFunction((r) => {
+      const { store } = window.studio, state = store.get("state");
+      return (state?.revision ?? 0) > r && state.finished !== false && !store.get("busy");
+    }, before, { timeout: patience });
     return this.state();
   }
 

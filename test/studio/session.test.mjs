@@ -43,7 +43,7 @@ test("every view shows something else", async () => {
   for (const view of ["surface", "field", "atlas", "quads", "quality"]) {
     await studio.view(view);
     await studio.settle();
-    seen.add((await studio.page.locator("canvas").screenshot()).toString("base64"));
+    seen.add((await studio.page.locator(".canvas canvas").screenshot()).toString("base64"));
     await studio.picture(`view_${view}`);
   }
   assert.equal(seen.size, 5);
@@ -65,10 +65,10 @@ test("keys switch layers", async () => {
 
 test("a bar of the histogram lights its quads", async () => {
   await studio.view("quality");
-  const before = await studio.page.locator("canvas").screenshot();
+  const before = await studio.page.locator(".canvas canvas").screenshot();
   await studio.page.locator(".bar:not([disabled])").last().click();
   await studio.settle();
-  assert.notDeepEqual(await studio.page.locator("canvas").screenshot(), before);
+  assert.notDeepEqual(await studio.page.locator(".canvas canvas").screenshot(), before);
   await studio.picture("quality_lit");
   await studio.page.locator(".bar.chosen").click();
 });

@@ -79,14 +79,13 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   case Command::forget: session.forget(); return Json::object();
   case Command::edit: return session.edit(body["edit"], observer, integer(body, "drag"), is_live(body));
   case Command::preview: return session.preview(body["edit"], observer);
-  case Command::undo: return done(session.undo(observer));
-  case Command::redo: return done(session.redo(observer));
-  case Command::go_to:
-    return done(session.go_to(int(std::clamp<std::int64_t>(body["step"], -1, 1 << 30)), observer));
+  case Command::undo: return done(session.undo());
+  case Command::redo: return done(session.redo());
+  case Command::go_to: return done(session.go_to(int(std::clamp<std::int64_t>(body["step"], -1, 1 << 30))));
   case Command::certify: return done(session.certify(observer));
   case Command::save_recipe: return save(session, body["name"], session.recipe());
   case Command::export_quads:
-    return save(session, body["name"], session.export_quads(extension_of(body["name"])));
+    return save(session, body["name"], session.export_quads(extension_of(body["name"]), observer));
   case Command::cancel: // by the hub, at once
   case Command::chart: break;
   }
@@ -127,12 +126,23 @@ void Hub::enqueue(Task task, std::function<void(Result<Json>)> done, bool replac
     Result<Json> result = task(*m_session, observer);
     publish_from_worker();
     m_post([done, result = std::move(result)] { done(result); });
+    if (!m_session->is_finished()) m_post([this] { finish(); });
   };
   const auto failed = [this, done](const std::string& what) {
     m_post([done, what] { done(make_error(Error_code::internal_error, "the work failed: " + what)); });
   };
   if (!m_worker->push(job, failed, replaceable))
     done(make_error(Error_code::impossible_request, "too many requests wait; this one is dropped"));
+}
+
+// The slow end of an edit: another job of its own, which gives way to the next edit.
+void Hub::finish() {
+  if (!m_worker) return;
+  const auto job = [this](Worker::Observer& observer) {
+    if (m_session->finish(observer)) publish_from_worker();
+  };
+  m_worker->push(
+      job, [](const std::string&) {}, true);
 }
 
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {
@@ -193,8 +203,8 @@ void Hub::upload(std::string name, std::string bytes, Download done_) {
 void Hub::download(std::string what, Download done_) {
   const auto bytes = std::make_shared<std::string>();
   enqueue(
-      [what = std::move(what), bytes](Session& session, Worker::Observer&) -> Result<Json> {
-        Result<std::string> made = what == "recipe" ? session.recipe() : session.export_quads(what);
+      [what = std::move(what), bytes](Session& session, Worker::Observer& observer) -> Result<Json> {
+        Result<std::string> made = what == "recipe" ? session.recipe() : session.export_quads(what, observer);
         if (!made) return made.error();
         *bytes = std::move(*made);
         return Json::object();

@@ -43,6 +43,7 @@ private:
   using Task = std::function<Result<Json>(Session&, Worker::Observer&)>;
   void start(const std::weak_ptr<Client>& client, const Request& request);
   void enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable = false);
+  void finish();
   /// Tells the pages the session as it is; called by the worker's thread.
   void publish_from_worker();
   void publish();

@@ -27,34 +27,44 @@ Frame field_frame(const std::vector<double>& values) {
   return frame;
 }
 
-Frame charts_frame(const Atlas& atlas) {
+Frame charts_frame(const Layer_source& source) {
   Frame frame("charts");
-  frame.add("chart", std::vector<std::int32_t>(atlas.chart_of_face.begin(), atlas.chart_of_face.end()));
+  std::vector<std::int32_t> charts;
+  charts.reserve(source.design->atlas.chart_of_face.size());
+  for (const int chart : source.design->atlas.chart_of_face)
+    charts.push_back(chart < 0 ? -1 : (*source.chart_ids)[chart]);
+  frame.add("chart", charts);
   return frame;
 }
 
 const char* kind_of(const Contour_network& network, const Contour_edge& edge) {
   const Node_kind a = network.nodes[edge.from].kind, b = network.nodes[edge.to].kind;
-  if (a == Node_kind::saddle || b == Node_kind::saddle) return "saddle";
-  return a == Node_kind::boundary ? "boundary" : "regular";
+  const auto either = [&](Node_kind kind) { return a == kind || b == kind; };
+  if (either(Node_kind::saddle)) return "saddle";
+  if (either(Node_kind::half_saddle)) return "half_saddle";
+  if (either(Node_kind::quarter_saddle)) return "quarter_saddle";
+  if (either(Node_kind::half_pole)) return "half_pole";
+  return either(Node_kind::boundary) ? "boundary" : "regular";
 }
 
 Frame contours_frame(const Layer_source& source) {
   Frame frame("contours");
+  const Contour_network& network = source.design->network;
+  const std::vector<int>& known_counts = source.design->samples.counts;
   std::vector<Point> points;
   std::vector<std::uint32_t> begin{0};
   std::vector<std::int32_t> edges, counts;
   std::vector<float> values;
   Json kinds = Json::array();
-  for (std::size_t e = 0; e < source.network->edges.size(); ++e) {
-    const Contour_edge& edge = source.network->edges[e];
-    if (source.network->is_removed(edge)) continue;
-    for (const int v : edge.vertices) points.push_back(source.embedding->surface.points[v]);
+  for (std::size_t e = 0; e < network.edges.size(); ++e) {
+    const Contour_edge& edge = network.edges[e];
+    if (network.is_removed(edge)) continue;
+    for (const int v : edge.vertices) points.push_back(source.design->embedding->surface.points[v]);
     begin.push_back(std::uint32_t(points.size()));
     edges.push_back(int(e));
-    counts.push_back(source.counts && e < source.counts->size() ? (*source.counts)[e] : 0);
+    counts.push_back(e < known_counts.size() ? known_counts[e] : 0);
     values.push_back(float(edge.value));
-    kinds.push_back(kind_of(*source.network, edge));
+    kinds.push_back(kind_of(network, edge));
   }
   frame.add_points("position", points, source.origin);
   frame.add("begin", begin);
@@ -65,22 +75,31 @@ Frame contours_frame(const Layer_source& source) {
   return frame;
 }
 
-/// Minima, saddles and maxima: kinds 0, 1 and 2.
+/// Minima, saddles and maxima: kinds 0, 1 and 2. Fractional saddles are 3 (half) and 4 (quarter).
 Frame critical_frame(const Layer_source& source) {
   Frame frame("critical");
+  const std::vector<Point>& all = source.design->embedding->surface.points;
+  const Contour_network& network = source.design->network;
   std::vector<Point> points;
   std::vector<std::int32_t> vertices;
   std::vector<std::uint8_t> kinds, multiplicities;
   const auto add = [&](int vertex, int kind, int multiplicity) {
-    points.push_back(source.embedding->surface.points[vertex]);
+    points.push_back(all[vertex]);
     vertices.push_back(vertex);
     kinds.push_back(std::uint8_t(kind));
     multiplicities.push_back(std::uint8_t(std::min(multiplicity, 255)));
   };
-  for (const int v : source.critical->minima) add(v, 0, 0);
-  for (std::size_t i = 0; i < source.critical->saddles.size(); ++i)
-    add(source.critical->saddles[i], 1, source.critical->multiplicity[i]);
-  for (const int v : source.critical->maxima) add(v, 2, 0);
+  for (const Design_extremum& e : source.design->extrema) add(e.vertex, e.is_maximum ? 2 : 0, 0);
+  std::vector<char> used(network.nodes.size(), false);
+  for (const Contour_edge& edge : network.edges)
+    if (!network.is_removed(edge)) used[edge.from] = used[edge.to] = true;
+  for (std::size_t i = 0; i < network.nodes.size(); ++i) {
+    const Contour_node& node = network.nodes[i];
+    if (!used[i]) continue;
+    if (node.kind == Node_kind::saddle) add(node.vertex, 1, node.multiplicity);
+    if (node.kind == Node_kind::half_saddle) add(node.vertex, 3, 0);
+    if (node.kind == Node_kind::quarter_saddle) add(node.vertex, 4, 0);
+  }
   frame.add_points("position", points, source.origin);
   frame.add("vertex", vertices);
   frame.add("kind", kinds);
@@ -88,8 +107,10 @@ Frame critical_frame(const Layer_source& source) {
   return frame;
 }
 
-Frame reeb_frame(const Layer_source& source, const std::vector<double>& values) {
-  const Skeleton drawn = skeleton(*source.embedding, *source.network, *source.atlas, *source.graph, values);
+Frame reeb_frame(const Layer_source& source) {
+  const Design& design = *source.design;
+  const Skeleton drawn =
+      skeleton(*design.embedding, design.network, design.atlas, *source.graph, *source.values);
   Frame frame("reeb");
   std::vector<Point> points;
   std::vector<std::uint32_t> begin{0};
@@ -131,7 +152,7 @@ Valences valences(const Quad_mesh& mesh) {
 }
 
 Frame quads_frame(const Layer_source& source) {
-  const Quad_mesh& mesh = *source.quads;
+  const Quad_mesh& mesh = source.quads->mesh;
   Frame frame("quads");
   std::vector<float> quality;
   quality.reserve(mesh.quads.size());
@@ -150,8 +171,10 @@ Frame quads_frame(const Layer_source& source) {
   frame.add_points("position", mesh.points, source.origin);
   frame.add_indices("quad", mesh.quads);
   frame.add("quality", quality);
-  if (source.chart_of_quad)
-    frame.add("chart", std::vector<std::int32_t>(source.chart_of_quad->begin(), source.chart_of_quad->end()));
+  std::vector<std::int32_t> charts;
+  for (const int chart : source.quads->chart_of_quad)
+    charts.push_back(chart < 0 ? -1 : (*source.chart_ids)[chart]);
+  frame.add("chart", charts);
   frame.add("irregular_vertex", vertices);
   frame.add("irregular_valence", numbers);
   frame.add("irregular_on_boundary", boundary);
@@ -162,14 +185,13 @@ Frame quads_frame(const Layer_source& source) {
 
 Layers make_layers(const Layer_source& source) {
   Layers layers;
-  if (source.embedding) {
-    const std::vector<double> values = embedded_values(*source.embedding, *source.network, *source.values);
-    layers["surface"] = surface_frame(source.embedding->surface, source.origin).encode();
-    layers["field"] = field_frame(values).encode();
-    layers["charts"] = charts_frame(*source.atlas).encode();
+  if (source.design) {
+    layers["surface"] = surface_frame(source.design->embedding->surface, source.origin).encode();
+    layers["field"] = field_frame(*source.values).encode();
+    layers["charts"] = charts_frame(source).encode();
     layers["contours"] = contours_frame(source).encode();
     layers["critical"] = critical_frame(source).encode();
-    layers["reeb"] = reeb_frame(source, values).encode();
+    layers["reeb"] = reeb_frame(source).encode();
   } else if (source.surface) {
     layers["surface"] = surface_frame(*source.surface, source.origin).encode();
   }

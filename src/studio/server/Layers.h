@@ -4,7 +4,7 @@
 
 #include "Frame.h"
 
-#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/Design.h>
 
 #include <map>
 
@@ -16,21 +16,16 @@ using Layers = std::map<std::string, std::shared_ptr<const std::string>>;
 
 /// What the layers are made of; a null pointer stands for what there is not yet.
 struct Layer_source {
-  const CGAL::Reeb_quadrangulation::Triangle_surface* surface =
-      nullptr; ///< shown while there is no embedding
+  const CGAL::Reeb_quadrangulation::Triangle_surface* surface = nullptr; ///< shown while there is no design
   CGAL::Reeb_quadrangulation::Point origin =
       CGAL::Reeb_quadrangulation::Point::Zero(); ///< subtracted from all points
 
-  const CGAL::Reeb_quadrangulation::Embedding* embedding = nullptr; ///< this and the next five go together
-  const CGAL::Reeb_quadrangulation::Contour_network* network = nullptr;
-  const CGAL::Reeb_quadrangulation::Atlas* atlas = nullptr;
+  const CGAL::Reeb_quadrangulation::Design* design = nullptr; ///< this and the next three go together
   const CGAL::Reeb_quadrangulation::Reeb_graph* graph = nullptr;
-  const CGAL::Reeb_quadrangulation::Critical_points* critical = nullptr;
-  const std::vector<double>* values = nullptr; ///< the field at the vertices of the surface
-  const std::vector<int>* counts = nullptr;    ///< of quad edges on each contour edge
+  const std::vector<double>* values = nullptr; ///< the field at the vertices of the embedded surface
+  const std::vector<int>* chart_ids = nullptr; ///< the identity of each chart of the atlas
 
-  const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr;
-  const std::vector<int>* chart_of_quad = nullptr;
+  const CGAL::Reeb_quadrangulation::Stitched_mesh* quads = nullptr;
 };
 
 /// Makes the layers "surface", "field", "charts", "contours", "critical", "reeb" and "quads", as far as there is something to

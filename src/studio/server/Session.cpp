@@ -87,16 +87,16 @@ Result<void> Session::open(Saved_session origin, const std::string& bytes, Obser
     if (mended->components[i].surface.triangles.size() > mended->components[largest].surface.triangles.size())
       largest = i;
   observer.progress("preparing", 0.6);
-  Result<std::unique_ptr<Design>> design =
-      Design::create(std::move(mended->components[largest].surface), &observer);
-  if (!design) return design.error();
+  Result<std::unique_ptr<Workpiece>> work =
+      Workpiece::create(std::move(mended->components[largest].surface), &observer);
+  if (!work) return work.error();
 
-  const Triangle_surface& surface = (*design)->surface();
+  const Triangle_surface& surface = (*work)->surface();
   origin.bytes = bytes.size();
   origin.digest = digest(bytes);
   if (origin.file.empty())
     if (Result<void> kept = m_store.save_upload(origin, bytes); !kept) return kept;
-  m_design = std::move(*design);
+  m_work = std::move(*work);
   m_saved = std::move(origin);
   m_milliseconds.clear();
   Eigen::AlignedBox3d box;
@@ -140,7 +140,7 @@ Result<void> Session::restore(Observer& observer) {
       *this = std::move(restored);
       return {};
     }
-  if (Result<void> there = restored.go_to(last->applied, observer); !there) return there;
+  if (Result<void> there = restored.go_to(last->applied); !there) return there;
   const std::int64_t revision = m_revision + restored.m_revision;
   *this = std::move(restored);
   m_revision = revision;
@@ -153,18 +153,18 @@ void Session::forget() {
 }
 
 Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t drag, bool live) {
-  if (!m_design) return no_mesh();
+  if (!m_work) return no_mesh();
   const Stopwatch watch;
   const bool replaces = drag > 0 && drag == m_drag;
   if (replaces)
-    if (Result<void> undone = m_design->undo(nullptr); !undone) return undone.error();
-  Result<Json> done = m_design->apply(edit, &observer);
+    if (Result<void> undone = m_work->undo(); !undone) return undone.error();
+  Result<Json> done = m_work->apply(edit, &observer);
   if (!done) {
     if (replaces)
-      if (Result<void> redone = m_design->redo(nullptr); !redone) return redone.error();
+      if (Result<void> redone = m_work->redo(); !redone) return redone.error();
     return done;
   }
-  m_milliseconds.resize(std::size_t(m_design->applied() - 1), 0);
+  m_milliseconds.resize(std::size_t(m_work->applied() - 1), 0);
   m_milliseconds.push_back(watch.milliseconds());
   changed(m_milliseconds.back(), edit_text(edit), !live);
   m_drag = drag;
@@ -172,42 +172,38 @@ Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t dr
 }
 
 Result<Json> Session::preview(const Json& edit, Observer& observer) {
-  if (!m_design) return no_mesh();
-  Result<Json> done = m_design->apply(edit, &observer);
-  if (!done) return done;
-  if (Result<void> undone = m_design->undo(nullptr); !undone) return undone.error();
-  return done;
+  if (!m_work) return no_mesh();
+  return m_work->preview(edit, &observer);
 }
 
-Result<void> Session::step(bool forward, Observer& observer) {
-  return forward ? m_design->redo(&observer) : m_design->undo(&observer);
+Result<void> Session::step(bool forward) {
+  return forward ? m_work->redo() : m_work->undo();
 }
 
-Result<void> Session::undo(Observer& observer) {
-  if (!m_design) return no_mesh();
+Result<void> Session::undo() {
+  if (!m_work) return no_mesh();
   const Stopwatch watch;
-  if (Result<void> done = step(false, observer); !done) return done;
-  changed(watch.milliseconds(), "undid: " + edit_text(m_design->edits()[std::size_t(m_design->applied())]));
+  if (Result<void> done = step(false); !done) return done;
+  changed(watch.milliseconds(), "undid: " + edit_text(m_work->edits()[std::size_t(m_work->applied())]));
   return {};
   return {};
 }
 
-Result<void> Session::redo(Observer& observer) {
-  if (!m_design) return no_mesh();
+Result<void> Session::redo() {
+  if (!m_work) return no_mesh();
   const Stopwatch watch;
-  if (Result<void> done = step(true, observer); !done) return done;
-  changed(watch.milliseconds(),
-          "redid: " + edit_text(m_design->edits()[std::size_t(m_design->applied() - 1)]));
+  if (Result<void> done = step(true); !done) return done;
+  changed(watch.milliseconds(), "redid: " + edit_text(m_work->edits()[std::size_t(m_work->applied() - 1)]));
   return {};
 }
 
-Result<void> Session::go_to(int target, Observer& observer) {
-  if (!m_design) return no_mesh();
-  if (target < 0 || target > int(m_design->edits().size()))
+Result<void> Session::go_to(int target) {
+  if (!m_work) return no_mesh();
+  if (target < 0 || target > int(m_work->edits().size()))
     return make_error(Error_code::impossible_request, "the history has no such step");
   const Stopwatch watch;
-  while (m_design->applied() != target)
-    if (Result<void> done = step(m_design->applied() < target, observer); !done) return done;
+  while (m_work->applied() != target)
+    if (Result<void> done = step(m_work->applied() < target); !done) return done;
   changed(watch.milliseconds(), "went to step " + std::to_string(target));
   return {};
 }
@@ -216,8 +212,8 @@ void Session::changed(double milliseconds, const std::string& text, bool save) {
   ++m_revision;
   m_drag = 0;
   m_layers_are_stale = true;
-  m_saved.edits = m_design->edits();
-  m_saved.applied = m_design->applied();
+  m_saved.edits = m_work->edits();
+  m_saved.applied = m_work->applied();
   certify_quads(false, nullptr);
   m_last = {{"ok", true}, {"text", text}, {"milliseconds", milliseconds}};
   if (!save) return;
@@ -227,10 +223,21 @@ void Session::changed(double milliseconds, const std::string& text, bool save) {
   }
 }
 
+Result<void> Session::finish(Observer& observer) {
+  if (is_finished()) return {};
+  observer.progress("relaxing the quads", 0);
+  if (Result<void> done = m_work->finish(&observer); !done) return done;
+  ++m_revision;
+  m_layers_are_stale = true;
+  certify_quads(false, nullptr);
+  return {};
+}
+
 Result<void> Session::certify(Observer& observer) {
-  if (!m_design || !m_design->quads())
+  if (!m_work || !m_work->quads())
     return make_error(Error_code::impossible_request, "there are no quads yet");
   const Stopwatch watch;
+  if (Result<void> finished = finish(observer); !finished) return finished;
   observer.progress("certificate", 0);
   certify_quads(true, &observer);
   ++m_revision;
@@ -241,49 +248,46 @@ Result<void> Session::certify(Observer& observer) {
 void Session::certify_quads(bool wholly, const Observer* observer) {
   m_certificate.reset();
   m_statistics.reset();
-  const Quad_mesh* quads = m_design->quads();
+  const Stitched_mesh* quads = m_work->quads();
   if (!quads) return;
   // What is linear in the size only: the rest would be felt after every edit.
   Certificate_options options;
   options.measure_distance = options.find_self_intersections = wholly;
   options.observer = observer;
-  m_certificate = CGAL::Reeb_quadrangulation::certify(
-      {*quads, &m_design->surface(), m_design->predicted_valences()}, options);
-  m_statistics = quad_statistics(*quads);
+  m_certificate =
+      CGAL::Reeb_quadrangulation::certify({quads->mesh, &m_work->surface(), quads->valences}, options);
+  m_statistics = quad_statistics(quads->mesh);
 }
 
 const Layers& Session::layers() {
-  if (m_layers_are_stale) m_layers = m_design ? m_design->layers() : Layers();
+  if (m_layers_are_stale) m_layers = m_work ? m_work->layers() : Layers();
   m_layers_are_stale = false;
   return m_layers;
 }
 
 Result<std::shared_ptr<const std::string>> Session::chart(int index) const {
-  if (!m_design) return no_mesh();
-  return m_design->chart(index);
+  if (!m_work) return no_mesh();
+  return m_work->chart(index);
 }
 
-Result<std::string> Session::export_quads(const std::string& extension) const {
-  if (!m_design || !m_design->quads())
+Result<std::string> Session::export_quads(const std::string& extension, Observer& observer) {
+  if (!m_work || !m_work->quads())
     return make_error(Error_code::impossible_request, "there are no quads yet");
+  if (Result<void> finished = finish(observer); !finished) return finished.error();
   const Mesh_format format = format_of_extension("quads." + extension);
-  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(*m_design->quads()), format);
+  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(m_work->quads()->mesh), format);
   if (!encoded) return encoded.error();
   return std::move(encoded->bytes);
 }
 
 Result<std::string> Session::recipe() const {
-  if (!m_design) return no_mesh();
-  const Json edits(
-      std::vector<Json>(m_design->edits().begin(), m_design->edits().begin() + m_design->applied()));
-  return Json{{"format", "reebquad recipe"}, {"version", 1}, {"input", m_saved.name}, {"edits", edits}}.dump(
-             2) +
-         "\n";
+  if (!m_work) return no_mesh();
+  return m_work->recipe();
 }
 
 Json Session::history() const {
   Json list = Json::array();
-  const std::vector<Json>& edits = m_design->edits();
+  const std::vector<Json> edits = m_work->edits();
   for (std::size_t i = 0; i < edits.size(); ++i)
     list.push_back({{"text", edit_text(edits[i])},
                     {"edit", edits[i]},
@@ -308,14 +312,15 @@ Json Session::budget() const {
 
 Json Session::state() const {
   Json state{{"event", "state"}, {"revision", m_revision}, {"file", m_file}, {"last", m_last}};
-  if (!m_design) {
+  if (!m_work) {
     const std::optional<Saved_session> last = m_store.load();
     if (last) state["last_session"] = {{"name", last->name}, {"edits", last->edits.size()}};
     return state;
   }
   state["history"] = history();
-  state["applied"] = m_design->applied();
-  state["facts"] = m_design->facts();
+  state["applied"] = m_work->applied();
+  state["facts"] = m_work->facts();
+  state["finished"] = m_work->is_finished();
   state["budget"] = budget();
   if (m_certificate) state["certificate"] = Json::parse(to_json(*m_certificate));
   if (m_statistics) state["statistics"] = Json::parse(to_json(*m_statistics));

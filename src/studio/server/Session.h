@@ -2,8 +2,8 @@
 #ifndef REEBQUAD_STUDIO_SESSION_H
 #define REEBQUAD_STUDIO_SESSION_H
 
-#include "Design.h"
 #include "Store.h"
+#include "Workpiece.h"
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
@@ -31,10 +31,13 @@ public:
   Result<Json> edit(const Json& edit, Observer& observer, std::int64_t drag = 0, bool live = false);
   /// Applies the edit, takes it back and says what it would have done.
   Result<Json> preview(const Json& edit, Observer& observer);
-  Result<void> undo(Observer& observer);
-  Result<void> redo(Observer& observer);
+  Result<void> undo();
+  Result<void> redo();
   /// Undoes or redoes until `step` edits are applied.
-  Result<void> go_to(int step, Observer& observer);
+  Result<void> go_to(int step);
+  /// Relaxes the quads, which edits leave undone so that they are quick.
+  Result<void> finish(Observer& observer);
+  bool is_finished() const { return !m_work || m_work->is_finished(); }
   /// Certifies with all checks, also distance and self-intersections.
   Result<void> certify(Observer& observer);
   /// @}
@@ -47,14 +50,14 @@ public:
   const Layers& layers();
   Result<std::shared_ptr<const std::string>> chart(int index) const;
   /// The quads in the format of that extension ("obj", "off", "ply", "vtk", "stl", "glb").
-  Result<std::string> export_quads(const std::string& extension) const;
+  Result<std::string> export_quads(const std::string& extension, Observer& observer);
   Result<std::string> recipe() const;
 
   const Folder& folder() const { return m_folder; }
 
 private:
   Result<void> open(Saved_session origin, const std::string& bytes, Observer& observer);
-  Result<void> step(bool forward, Observer& observer);
+  Result<void> step(bool forward);
   /// What follows every change: measures, certifies, saves.
   void changed(double milliseconds, const std::string& text, bool save = true);
   void certify_quads(bool wholly, const Observer* observer);
@@ -63,7 +66,7 @@ private:
 
   Folder m_folder;
   Store m_store;
-  std::unique_ptr<Design> m_design;
+  std::unique_ptr<Workpiece> m_work;
   Saved_session m_saved;
   Json m_file = nullptr;              ///< what is said about the mesh that is open
   std::vector<double> m_milliseconds; ///< of each edit

@@ -92,14 +92,5 @@ Skeleton skeleton(const Embedding& embedding, const Contour_network& network, co
   return result;
 }
 
-std::vector<double> embedded_values(const Embedding& embedding, const Contour_network& network,
-                                    std::vector<double> values) {
-  values.resize(embedding.surface.points.size(), 0);
-  for (const Contour_edge& edge : network.edges)
-    for (const int v : edge.vertices)
-      if (network.is_crossing(v)) values[v] = edge.value;
-  return values;
-}
-
 } // namespace studio
 } // namespace reebquad

@@ -21,11 +21,6 @@ Skeleton skeleton(const CGAL::Reeb_quadrangulation::Embedding& embedding,
                   const CGAL::Reeb_quadrangulation::Atlas& atlas,
                   const CGAL::Reeb_quadrangulation::Reeb_graph& graph, const std::vector<double>& values);
 
-/// The field on the embedded surface: a vertex that a contour added has its contour's value.
-std::vector<double> embedded_values(const CGAL::Reeb_quadrangulation::Embedding& embedding,
-                                    const CGAL::Reeb_quadrangulation::Contour_network& network,
-                                    std::vector<double> values);
-
 } // namespace studio
 } // namespace reebquad
 

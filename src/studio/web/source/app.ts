@@ -14,6 +14,8 @@ import { GuidedTool, guides } from "./tools/guided";
 import { PlaneTool } from "./tools/plane";
 import { SelectTool } from "./tools/select";
 import { ToolBox } from "./tools/tool_box";
+import { ChartView } from "./local/chart_view";
+import { chartPanel } from "./ui/chart_panel";
 import { designPanel } from "./ui/design_panel";
 import { defectsPanel } from "./ui/defects_panel";
 import { h, icon } from "./ui/dom";
@@ -36,6 +38,7 @@ export class App {
   readonly viewport: Viewport;
   readonly stage: Stage;
   readonly tools: ToolBox;
+  readonly chartView: ChartView;
   private readonly drags: DragEdits;
   private fileName = "";
   private hadQuads = false;
@@ -43,7 +46,7 @@ export class App {
   constructor(root: HTMLElement) {
     this.connection = new Connection({
       state: (state) => this.takeState(state),
-      frame: (frame) => this.stage.take(frame),
+      frame: (frame) => (frame.layer === "chart" ? this.chartView.take(frame) : this.stage.take(frame)),
       layerGone: (layer) => this.stage.remove(layer),
       progress: (stage, fraction) => this.store.set("busy", stage ? { stage, fraction } : null),
       trouble: (message) => this.toasts.show("That did not work", message, "bad"),
@@ -58,6 +61,8 @@ export class App {
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
     this.tools = new ToolBox(this, overlay);
+    this.chartView = new ChartView(this);
+    overlay.append(this.chartView.panel);
     for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
     for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
     this.tools.choose("select");
@@ -139,6 +144,7 @@ export class App {
   }
 
   private wire(canvasHost: HTMLElement, openMesh: () => void, help: HTMLButtonElement): void {
+    this.store.watch(["up"], () => this.viewport.setUp(new THREE.Vector3(...this.store.get("up"))));
     this.store.watch(["layers"], () => this.stage.show(this.store.get("layers")));
     this.store.watch(["chart"], () => this.stage.setSelected(this.store.get("chart")));
     const shortcuts = this.shortcuts(openMesh);
@@ -211,7 +217,8 @@ export class App {
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
     const side = h(
       "aside", { className: "side" },
-      panel("Design", designPanel(this.store, (edit, live) => void this.edit(edit, live))),
+      panel("Design", designPanel(this.store, (edit) => void this.edit(edit))),
+      panel("Chart", chartPanel(this)),
       panel("Layers", layersPanel(this.store)),
       panel("Quality", qualityPanel(this.store, (bin) => {
         this.stage.quads.light(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
@@ -238,6 +245,7 @@ function button(paths: string, title: string, onclick?: () => void, id?: string)
 }
 
 function capital(text: string): string {
+  if (/^\S+\.\w+/.test(text)) return text; // a file's name
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 

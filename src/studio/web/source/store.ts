@@ -11,13 +11,15 @@ export interface Shared {
   /** The chart that is looked at, or -1. */
   chart: number;
   tool: string;
+  /** The axis that points up. */
+  up: readonly [number, number, number];
 }
 
 export type Key = keyof Shared;
 
 export class Store {
   private readonly values: Shared = {
-    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, chart: -1, tool: "select",
+    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, chart: -1, tool: "select", up: [0, 1, 0],
   };
   private readonly listeners = new Map<Key, ((...unused: never[]) => void)[]>();
 

@@ -42,6 +42,13 @@ export interface ChartFacts {
   kind: "annulus" | "disc";
   columns: number;
   rows: number;
+  height: number;
+  /** What the user asked for; 0 is free. */
+  set_columns: number;
+  set_rows: number;
+  shift: number;
+  grading: number;
+  locked: boolean;
 }
 
 export interface Check {
@@ -58,7 +65,9 @@ export interface State {
   last_session?: { name: string; edits: number };
   history?: HistoryStep[];
   applied?: number;
-  facts?: { charts: ChartFacts[]; hints?: Hint[] };
+  facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number; hints?: Hint[] };
+  /** Whether the quads are relaxed already. */
+  finished?: boolean;
   budget?: { needed: number; interior: Record<string, number>; boundary: Record<string, number> };
   certificate?: { passed: boolean; strictly_valid: boolean; checks: Check[]; quads: number; vertices: number };
   statistics?: {

@@ -46,4 +46,6 @@ export function valenceColour(valence: number, onBoundary: boolean): Rgb {
   return [hex("#4aa8ff"), hex("#3d7bff"), hex("#6a4dff"), hex("#b13dff")][Math.min(difference - 1, 3)]!;
 }
 
-export const criticalColours: readonly Rgb[] = [hex("#3f8cff"), hex("#ffd34d"), hex("#ff5147")]; // minimum, saddle, maximum
+export const criticalColours: readonly Rgb[] = [
+  hex("#3f8cff"), hex("#ffd34d"), hex("#ff5147"), hex("#ff9d3d"), hex("#c98cff"),
+]; // minimum, saddle, maximum, half-saddle, quarter-saddle

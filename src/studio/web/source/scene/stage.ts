@@ -12,7 +12,8 @@ import type { Viewport } from "./viewport";
 
 export interface CriticalPoint {
   vertex: number;
-  kind: 0 | 1 | 2;
+  /** 0 minimum, 1 saddle, 2 maximum, 3 half-saddle, 4 quarter-saddle. */
+  kind: number;
   multiplicity: number;
   position: THREE.Vector3;
 }
@@ -168,13 +169,13 @@ export class Stage {
     const points = floats(frame, "position") as Float32Array<ArrayBuffer>, kinds = bytesOf(frame, "kind");
     const vertices = integers(frame, "vertex"), multiplicities = bytesOf(frame, "multiplicity");
     this.critical = Array.from(vertices, (vertex, i) => ({
-      vertex, kind: kinds[i] as 0 | 1 | 2, multiplicity: multiplicities[i]!, position: new THREE.Vector3().fromArray(points, 3 * i),
+      vertex, kind: kinds[i]!, multiplicity: multiplicities[i]!, position: new THREE.Vector3().fromArray(points, 3 * i),
     }));
     this.removePoints("criticalPoints");
-    const shapes = [Shape.triangleDown, Shape.diamond, Shape.triangleUp];
+    const shapes = [Shape.triangleDown, Shape.diamond, Shape.triangleUp, Shape.diamond, Shape.diamond];
     this.criticalPoints = markers(
       this.criticalMaterial, points, Array.from(kinds, (k) => criticalColours[k]!), Array.from(kinds, (k) => shapes[k]!),
-      Array.from(kinds, (k) => (k === 1 ? 0.85 : 1.1)),
+      Array.from(kinds, (k) => (k === 1 ? 0.85 : k > 2 ? 0.65 : 1.1)),
     );
     this.criticalPoints.renderOrder = 6;
     this.viewport.scene.add(this.criticalPoints);

@@ -118,6 +118,20 @@ export class Surface {
     return new THREE.Vector3().fromArray(this.positions, 3 * v);
   }
 
+  /** A vertex well inside a chart: with only faces of it around, the middle one of these by the field's value. */
+  insideOf(chart: number): THREE.Vector3 | null {
+    const owner = new Map<number, boolean>();
+    for (let f = 0; f < this.chartOfFace.length; ++f)
+      for (let i = 0; i < 3; ++i) {
+        const v = this.triangles[3 * f + i]!;
+        owner.set(v, (owner.get(v) ?? true) && this.chartOfFace[f] === chart);
+      }
+    const inner = [...owner].filter(([, inside]) => inside).map(([v]) => v);
+    if (inner.length === 0) return null;
+    inner.sort((a, b) => this.values[a]! - this.values[b]! || a - b);
+    return this.vertex(inner[inner.length >> 1]!);
+  }
+
   /** The segments in which a plane meets the surface, as pairs of points. */
   cut(plane: THREE.Plane): Float32Array {
     const out: number[] = [];

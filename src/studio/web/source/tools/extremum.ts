@@ -36,7 +36,7 @@ export class ExtremumTool implements Tool {
 
   press(event: PointerEvent): boolean {
     const point = this.app.stage.criticalAt(event);
-    this.dragged = point && point.kind !== 1 ? point : null;
+    this.dragged = point && (point.kind === 0 || point.kind === 2) ? point : null;
     this.moves = false;
     return this.dragged !== null;
   }
@@ -56,7 +56,7 @@ export class ExtremumTool implements Tool {
   click(event: PointerEvent): void {
     this.chosen = null;
     const hit = pick(this.app, event, "surface");
-    if (hit) void this.app.edit({ edit: "add_extremum", at: surfacePoint(this.app, hit.point), is_maximum: this.isMaximum, scope: this.scope });
+    if (hit) void this.app.edit({ edit: "add_extremum", at: surfacePoint(this.app, hit.point), maximum: this.isMaximum, scope: this.scope });
     this.app.tools.tellHint();
   }
 

@@ -23,7 +23,8 @@ export function pick(app: App, event: PointerEvent, target: Target): Picked | nu
   const { stage, viewport } = app;
   if (target === "saddle" || target === "extremum") {
     const point = stage.criticalAt(event);
-    return point && (point.kind === 1) === (target === "saddle") ? { point: point.position, chart: -1 } : null;
+    const isExtremum = point?.kind === 0 || point?.kind === 2;
+    return point && isExtremum === (target === "extremum") ? { point: point.position, chart: -1 } : null;
   }
   const hit = stage.surface.pick(viewport.ray(event));
   if (target === "surface") return hit && { point: hit.point, chart: hit.chart };

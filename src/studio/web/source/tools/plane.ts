@@ -98,6 +98,12 @@ export class PlaneTool implements Tool {
     return true;
   }
 
+  /** Turns the plane around its first axis, as the red ring does. */
+  turn(angle: number): void {
+    this.plane.rotateX(angle);
+    this.changed();
+  }
+
   /** The plane through the middle of the contour that fits it best. */
   private take(contour: Contour, at: THREE.Vector3): void {
     this.drop();

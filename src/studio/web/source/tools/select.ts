@@ -19,6 +19,7 @@ export class SelectTool implements Tool {
   hover(event: PointerEvent): void {
     const hit = this.app.stage.surface.pick(this.app.viewport.ray(event));
     this.app.stage.setHovered(hit ? hit.chart : -1);
+    this.app.chartView.hoverOnSurface(hit && hit.chart === this.app.store.get("chart") ? hit.point : null);
   }
 
   click(event: PointerEvent): void {

@@ -34,6 +34,10 @@ export class ToolBox {
     });
   }
 
+  get current(): Tool | null {
+    return this.active;
+  }
+
   add(tool: Tool): void {
     this.tools.push(tool);
     const button = h(

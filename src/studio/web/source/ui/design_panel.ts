@@ -6,11 +6,12 @@ import { h, readable, replace } from "./dom";
 const axes: [string, [number, number, number]][] = [["X", [1, 0, 0]], ["Y", [0, 1, 0]], ["Z", [0, 0, 1]]];
 
 /** The suggestion, the number of quads and the charts. */
-export function designPanel(store: Store, edit: (edit: Edit, live?: boolean) => void): HTMLElement {
+export function designPanel(store: Store, edit: (edit: Edit) => void): HTMLElement {
   const persistence = h("input", { type: "range", min: "0.01", max: "0.3", step: "0.01", value: "0.08", id: "persistence" });
   const shown = h("output", {}, "8 %");
   persistence.oninput = () => (shown.textContent = `${Math.round(100 * persistence.valueAsNumber)} %`);
   const axis = h("select", { id: "axis" }, ...axes.map(([name], i) => h("option", { value: String(i), selected: i === 1 }, `${name} is up`)));
+  axis.onchange = () => store.set("up", axes[Number(axis.value)]![1]);
   const suggest = (): void =>
     edit({ edit: "suggest", persistence: persistence.valueAsNumber, axis: axes[Number(axis.value)]![1] });
 
@@ -18,7 +19,7 @@ export function designPanel(store: Store, edit: (edit: Edit, live?: boolean) => 
   const slider = h("input", { type: "range", min: "2", max: "5", step: "0.02", value: "3.477", "aria-label": "Number of quads, coarse" });
   const setTarget = (): void => {
     slider.value = String(Math.log10(number.valueAsNumber));
-    edit({ edit: "set_target", quads: number.valueAsNumber }, true);
+    edit({ edit: "set_target", quads: number.valueAsNumber });
   };
   number.onchange = setTarget;
   slider.oninput = () => (number.value = String(10 * Math.round(10 ** slider.valueAsNumber / 10)));
@@ -52,6 +53,12 @@ export function designPanel(store: Store, edit: (edit: Edit, live?: boolean) => 
     h("section", {}, h("h3", {}, "How many quads"), h("div", { className: "field" }, number, slider)),
     h("section", {}, h("h3", {}, "Charts"), charts),
   );
+  store.watch(["state"], () => {
+    const target = store.get("state")?.facts?.target_quads;
+    if (!target || document.activeElement === number || document.activeElement === slider) return;
+    number.value = String(target);
+    slider.value = String(Math.log10(target));
+  });
   store.watch(["state"], () => panel.classList.toggle("idle", !store.get("state")?.file));
   return panel;
 }

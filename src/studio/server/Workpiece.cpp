@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Workpiece.h"
+
+#include "Design_field.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
+
+#include <algorithm>
+
+namespace reebquad {
+namespace studio {
+
+using namespace CGAL::Reeb_quadrangulation;
+
+Point middle(const Triangle_surface& surface) {
+  Eigen::AlignedBox3d box;
+  for (const Point& p : surface.points) box.extend(p);
+  return box.isEmpty() ? Point::Zero() : Point(box.center());
+}
+
+namespace {
+
+Json json_of(const Edit_report& report) {
+  return {{"new_charts", report.new_charts},
+          {"removed_charts", report.removed_charts},
+          {"remeshed_charts", report.remeshed_charts},
+          {"new_contours", report.new_contours},
+          {"removed_contours", report.removed_contours},
+          {"changed_counts", report.changed_counts},
+          {"seconds", report.seconds}};
+}
+
+/// What holds for the whole time that a design is given to the layers.
+struct Layer_parts {
+  Reeb_graph graph;
+  std::vector<double> values;
+  std::vector<int> chart_ids;
+};
+
+const char* name_of(Pole_kind kind) {
+  switch (kind) {
+  case Pole_kind::whole: return "whole";
+  case Pole_kind::half: return "half";
+  case Pole_kind::quarter: return "quarter";
+  }
+  return "";
+}
+
+Json chart_json(const Design_chart& chart) {
+  return {{"id", chart.id},
+          {"kind", chart.chart->kind == Chart_kind::disc ? "disc" : "annulus"},
+          {"columns", chart.grid[0]},
+          {"rows", chart.grid[1]},
+          {"height", chart.height},
+          {"set_columns", chart.settings.columns},
+          {"set_rows", chart.settings.rows},
+          {"shift", chart.settings.shift},
+          {"grading", chart.settings.grading},
+          {"locked", chart.settings.locked}};
+}
+
+} // namespace
+
+Workpiece::Workpiece(Editor editor) : m_editor(std::move(editor)), m_origin(middle(m_editor.input())) {}
+
+Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, Observer* observer) {
+  Result<Editor> editor = Editor::create(std::move(surface), {}, observer);
+  if (!editor) return editor.error();
+  return std::unique_ptr<Workpiece>(new Workpiece(std::move(*editor)));
+}
+
+Result<Json> Workpiece::apply(const Json& edit, Observer* observer) {
+  Result<Edit> parsed = edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (!parsed) return parsed.error();
+  Result<Edit_report> report = m_editor.apply(*parsed, observer);
+  if (!report) return report.error();
+  m_previewed = false;
+  stitch();
+  return json_of(*report);
+}
+
+Result<Json> Workpiece::preview(const Json& edit, Observer* observer) {
+  if (m_editor.can_redo() && !m_previewed) return Json{{"checked", false}};
+  Result<Edit> parsed = edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (!parsed) return parsed.error();
+  Result<Edit_report> report = m_editor.apply(*parsed, observer);
+  if (!report) return report.error();
+  m_editor.undo();
+  m_previewed = true;
+  Json json = json_of(*report);
+  json["checked"] = true;
+  return json;
+}
+
+Result<void> Workpiece::undo() {
+  if (!m_editor.can_undo()) return make_error(Error_code::impossible_request, "there is nothing to undo");
+  // What a preview left cannot be redone, and neither can what comes before it then.
+  m_editor.undo();
+  stitch();
+  return {};
+}
+
+Result<void> Workpiece::redo() {
+  if (!m_editor.can_redo() || m_editor.position() >= int(edits().size()))
+    return make_error(Error_code::impossible_request, "there is nothing to redo");
+  m_editor.redo();
+  stitch();
+  return {};
+}
+
+void Workpiece::stitch() {
+  m_finished = false;
+  if (m_editor.design().charts.empty())
+    m_quads.reset();
+  else
+    m_quads = m_editor.quads();
+}
+
+Result<void> Workpiece::finish(Observer* observer) {
+  if (is_finished()) return {};
+  Result<Stitched_mesh> finished = m_editor.finished_quads({}, {}, observer);
+  if (!finished) return finished.error();
+  m_quads = std::move(*finished);
+  m_finished = true;
+  return {};
+}
+
+std::vector<Json> Workpiece::edits() const {
+  std::vector<Json> list;
+  for (const Edit& edit : m_editor.edits()) list.push_back(Json::parse(to_json(edit)));
+  if (m_previewed && !list.empty()) list.pop_back(); // a preview is always the last
+  return list;
+}
+
+std::string Workpiece::recipe() const {
+  return to_json(recipe_of(m_editor));
+}
+
+Layers Workpiece::layers() const {
+  Layer_source source;
+  source.surface = &m_editor.working_surface();
+  source.origin = m_origin;
+  const Design& design = m_editor.design();
+  if (design.charts.empty()) return make_layers(source);
+  Layer_parts parts{reeb_graph(design.atlas, design.network), design_field(design), {}};
+  for (const auto& chart : design.charts) parts.chart_ids.push_back(chart->id);
+  source.design = &design;
+  source.graph = &parts.graph;
+  source.values = &parts.values;
+  source.chart_ids = &parts.chart_ids;
+  source.quads = quads();
+  return make_layers(source);
+}
+
+Json Workpiece::facts() const {
+  const Design& design = m_editor.design();
+  Json charts = Json::array(), extrema = Json::array();
+  for (const auto& chart : design.charts) charts.push_back(chart_json(*chart));
+  for (const Design_extremum& e : design.extrema)
+    extrema.push_back(
+        {{"vertex", e.vertex}, {"maximum", e.is_maximum}, {"value", e.value}, {"pole", name_of(e.pole)}});
+  return {{"charts", charts},
+          {"extrema", extrema},
+          {"target_quads", design.target_quads},
+          {"edge_length", design.edge_length}};
+}
+
+Result<std::shared_ptr<const std::string>> Workpiece::chart(int id) const {
+  const Design& design = m_editor.design();
+  const int index = design.index_of(id);
+  if (index < 0)
+    return make_error(Error_code::impossible_request, "there is no chart of that number", Element_kind::chart,
+                      id);
+  const Design_chart& chart = *design.charts[index];
+  const Quad_texture& texture = chart.texture.texture;
+  Frame frame("chart");
+  std::vector<float> plane;
+  double width = 1, height = 1;
+  for (std::size_t i = 0; i < texture.v.size(); ++i) {
+    plane.push_back(float(texture.v[i]));
+    plane.push_back(float(texture.u[i]));
+    width = std::max(width, texture.v[i]);
+    height = std::max(height, texture.u[i]);
+  }
+  std::vector<Point> points;
+  for (const Chart_location& location : chart.texture.location)
+    points.push_back(position(*chart.chart, location));
+  frame.add("plane", plane);
+  frame.add_points("position", points, m_origin);
+  frame.add_indices("quad", texture.quads);
+  const bool disc = chart.chart->kind == Chart_kind::disc;
+  frame.data = {{"id", id}, {"kind", disc ? "disc" : "annulus"}, {"width", width}, {"height", height}};
+  return frame.encode();
+}
+
+} // namespace studio
+} // namespace reebquad

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_STUDIO_WORKPIECE_H
+#define REEBQUAD_STUDIO_WORKPIECE_H
+
+#include "Layers.h"
+
+#include <CGAL/Reeb_quadrangulation/Editor.h>
+
+#include <memory>
+#include <optional>
+
+namespace reebquad {
+namespace studio {
+
+/// A surface and what the user designs on it: an editor, with edits and facts as JSON and geometry as layers.
+class Workpiece {
+public:
+  using Observer = CGAL::Reeb_quadrangulation::Observer;
+  template <class T> using Result = CGAL::Reeb_quadrangulation::Result<T>;
+
+  /// Nothing is designed yet. \pre `surface` is connected by `connect()`
+  static Result<std::unique_ptr<Workpiece>> create(CGAL::Reeb_quadrangulation::Triangle_surface surface,
+                                                   Observer* observer);
+
+  /// \name Edits
+  /// One that fails leaves everything as it was. Afterwards the quads are as they are stitched, until `finish()`.
+  /// @{
+  /// Returns what changed.
+  Result<Json> apply(const Json& edit, Observer* observer);
+  /// What the edit would change. Not possible while there is something to redo, which it would make impossible.
+  Result<Json> preview(const Json& edit, Observer* observer);
+  Result<void> undo();
+  Result<void> redo();
+  /// Relaxes the quads on the surface, as `reebquad replay` ends.
+  Result<void> finish(Observer* observer);
+  /// @}
+
+  /// Those that are applied, then those that can be redone.
+  std::vector<Json> edits() const;
+  int applied() const { return m_editor.position(); }
+  std::string recipe() const;
+
+  Layers layers() const;
+  /// What the page shows besides geometry: charts, extrema, the size of the quads.
+  Json facts() const;
+  /// The frame of a chart's texture. Fails with `impossible_request` if there is no chart of that identity.
+  Result<std::shared_ptr<const std::string>> chart(int id) const;
+
+  const CGAL::Reeb_quadrangulation::Triangle_surface& surface() const { return m_editor.input(); }
+  /// The quads with the valences that the layout predicts, or null while there are none.
+  const CGAL::Reeb_quadrangulation::Stitched_mesh* quads() const { return m_quads ? &*m_quads : nullptr; }
+  bool is_finished() const { return m_finished || !m_quads; }
+
+private:
+  explicit Workpiece(CGAL::Reeb_quadrangulation::Editor editor);
+  void stitch();
+
+  CGAL::Reeb_quadrangulation::Editor m_editor;
+  CGAL::Reeb_quadrangulation::Point m_origin;
+  std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
+  bool m_finished = false;
+  bool m_previewed = false; ///< the edit that could be redone was a preview
+};
+
+/// The middle of the bounding box of the points.
+CGAL::Reeb_quadrangulation::Point middle(const CGAL::Reeb_quadrangulation::Triangle_surface& surface);
+
+} // namespace studio
+} // namespace reebquad
+
+#endif // REEBQUAD_STUDIO_WORKPIECE_H

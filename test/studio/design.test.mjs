@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A design made by mouse and keys: contours, saddles, charts, counts; refused edits; undo; and the recipe repeats it.
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import test, { after, before } from "node:test";
+import { reebquad, Studio } from "./harness.mjs";
+
+let studio, mesh;
+before(async () => {
+  studio = await Studio.start();
+  mesh = studio.shape("torus", 4000);
+});
+after(() => studio.close());
+
+/** Positions of the critical points of a kind (0 minimum, 1 saddle, 2 maximum). */
+const critical = (kind) =>
+  studio.page.evaluate((k) => window.studio.stage.critical.filter((c) => c.kind === k).map((c) => c.position.toArray()), kind);
+
+/** A point in the middle of a contour of that kind. */
+const contour = (kind) =>
+  studio.page.evaluate((k) => {
+    const found = window.studio.stage.contours.find((c) => c.kind === k);
+    return found && found.points[found.points.length >> 1].toArray();
+  }, kind);
+
+/** Looks at a point of the surface from outside, against its normal. */
+async function face(point) {
+  const normal = await studio.page.evaluate(([x, y, z]) => {
+    const { surface } = window.studio.stage, t = surface.triangles;
+    const at = surface.vertex(0).clone().set(x, y, z);
+    let best = 0, nearest = Infinity;
+    for (let f = 0; f < t.length; f += 3) {
+      const d = surface.vertex(t[f]).distanceToSquared(at);
+      if (d < nearest) [nearest, best] = [d, f];
+    }
+    const a = surface.vertex(t[best]), b = surface.vertex(t[best + 1]), c = surface.vertex(t[best + 2]);
+    return b.sub(a).cross(c.sub(a)).normalize().toArray();
+  }, point);
+  await studio.lookAt(point, normal);
+}
+
+async function clickOn(point) {
+  await face(point);
+  await studio.clickAt(point);
+}
+
+const history = async () => (await studio.state()).history.map((step) => step.edit.edit);
+
+test("a torus and its suggestion", async () => {
+  const file = await studio.upload(mesh);
+  assert.equal(file.file.genus, 1);
+  const state = await studio.suggest();
+  assert.equal(state.certificate.passed, true);
+  assert.equal((await critical(1)).length, 2);
+  await studio.view("atlas");
+  await studio.picture("torus_atlas");
+});
+
+test("a chart is subdivided by a click", async () => {
+  const charts = (await studio.state()).facts.charts.length;
+  await studio.tool("subdivide");
+  const point = await studio.page.evaluate(() => {
+    const { store, stage } = window.studio;
+    const tube = store.get("state").facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
+    return stage.surface.insideOf(tube.id).toArray();
+  });
+  const state = await studio.after(() => clickOn(point));
+  assert.equal(state.facts.charts.length, charts + 1);
+  await studio.picture("subdivided");
+});
+
+test("a contour is dragged, and one drag is one step", async () => {
+  await studio.tool("drag");
+  const steps = (await history()).length;
+  const from = await studio.page.evaluate(() => {
+    const c = window.studio.stage.contours.filter((c) => c.kind === "regular").sort((a, b) => b.points.length - a.points.length)[0];
+    return c.points[c.points.length >> 1].toArray();
+  });
+  await face(from);
+  const { x, y } = await studio.screen(from);
+  await studio.after(async () => {
+    await studio.page.mouse.move(x, y);
+    await studio.page.mouse.down();
+    for (let i = 1; i <= 4; ++i) await studio.page.mouse.move(x + 3 * i, y + 2 * i);
+    await studio.page.mouse.up();
+  });
+  assert.ok((await history()).length <= steps + 1);
+});
+
+test("a contour is moved by the plane", async () => {
+  await studio.tool("plane");
+  const at = await contour("regular");
+  await clickOn(at);
+  await studio.page.waitForSelector("#apply-plane:not([disabled])");
+  await studio.picture("plane_widget");
+  const steps = (await history()).length;
+  await studio.page.evaluate(() => {
+    const tool = window.studio.tools.current;
+    tool.turn(0.12);
+  });
+  const state = await studio.after(() => studio.page.keyboard.press("Enter"));
+  assert.equal((await history()).length, steps + 1);
+  assert.equal(state.certificate.passed, true);
+});
+
+test("an impossible place is red and says why, and applying it changes nothing", async () => {
+  const at = await contour("regular");
+  await clickOn(at);
+  await studio.page.waitForSelector("#apply-plane:not([disabled])");
+  const { revision } = await studio.state();
+  await studio.page.evaluate(() => window.studio.tools.current.turn(1.5));
+  await studio.page.waitForSelector(".hint-line.bad", { timeout: 20000 });
+  assert.match(await studio.page.innerText(".hint-line"), /refused/);
+  await studio.picture("plane_refused");
+  await studio.page.keyboard.press("Enter");
+  assert.match(await studio.toast(), /did not work/i);
+  assert.equal((await studio.state()).revision, revision);
+});
+
+test("a saddle becomes two half-saddles", async () => {
+  await studio.tool("saddle", "Halves");
+  const [saddle] = await critical(1);
+  const state = await studio.after(() => clickOn(saddle));
+  assert.equal((await critical(3)).length, 2);
+  assert.equal(state.budget.interior["6"], 2);
+  await studio.picture("half_saddles");
+});
+
+test("a pole becomes a seam", async () => {
+  await studio.tool("pole", "Halves");
+  const [maximum] = await critical(2);
+  const state = await studio.after(() => clickOn(maximum));
+  assert.equal(state.budget.interior["2"], 2);
+  await studio.view("quads");
+  await studio.picture("half_pole");
+});
+
+test("counts of a chart by its box, and its texture beside it", async () => {
+  await studio.tool("select");
+  const tube = (await studio.state()).facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
+  await studio.page.click(`[data-chart="${tube.id}"]`);
+  await studio.page.waitForSelector(".chart-view:not([hidden])");
+  await studio.page.fill("#rows", String(tube.rows + 3));
+  const state = await studio.after(() => studio.page.press("#rows", "Enter"));
+  assert.equal(state.facts.charts.find((c) => c.id === tube.id).rows, tube.rows + 3);
+  await studio.view("atlas");
+  await studio.page.hover(".chart-view canvas");
+  await studio.picture("chart_view");
+});
+
+test("five are undone and redone", async () => {
+  const last = await studio.state();
+  assert.ok(last.applied >= 5);
+  for (let i = 0; i < 5; ++i) await studio.after(() => studio.page.keyboard.press("Control+z"));
+  assert.equal((await studio.state()).applied, last.applied - 5);
+  for (let i = 0; i < 5; ++i) await studio.after(() => studio.page.keyboard.press("Control+Shift+z"));
+  const again = await studio.state();
+  assert.equal(again.applied, last.applied);
+  assert.deepEqual(again.statistics, last.statistics);
+});
+
+test("the exported quads are those of the replayed recipe, byte for byte", async () => {
+  await studio.page.reload();
+  await studio.page.waitForFunction(() => window.studio?.store.get("state")?.finished);
+  const quads = await studio.download(() => studio.page.click("#export"));
+  const recipe = await studio.download(() => studio.page.click("#recipe"));
+  writeFileSync(studio.path("saved.json"), recipe);
+  reebquad("replay", mesh, studio.path("saved.json"), "-o", studio.path("replayed.obj"), "--quiet");
+  assert.ok(quads.equals(readFileSync(studio.path("replayed.obj"))));
+});
+
+test("the page reported no errors", () => assert.deepEqual(studio.errors, []));
