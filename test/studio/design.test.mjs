@@ -24,7 +24,7 @@ const contour = (kind) =>
   }, kind);
 
 /** Looks at a point of the surface from outside, against its normal. */
-async function face(point) {
+async function face(point, radii) {
   const normal = await studio.page.evaluate(([x, y, z]) => {
     const { surface } = window.studio.stage, t = surface.triangles;
     const at = surface.vertex(0).clone().set(x, y, z);
@@ -36,11 +36,11 @@ async function face(point) {
     const a = surface.vertex(t[best]), b = surface.vertex(t[best + 1]), c = surface.vertex(t[best + 2]);
     return b.sub(a).cross(c.sub(a)).normalize().toArray();
   }, point);
-  await studio.lookAt(point, normal);
+  await studio.lookAt(point, normal, radii);
 }
 
-async function clickOn(point) {
-  await face(point);
+async function clickOn(point, radii) {
+  await face(point, radii);
   await studio.clickAt(point);
 }
 
@@ -120,7 +120,7 @@ test("an impossible place is red and says why, and applying it changes nothing",
 test("a saddle becomes two half-saddles", async () => {
   await studio.tool("saddle", "Halves");
   const [saddle] = await critical(1);
-  const state = await studio.after(() => clickOn(saddle));
+  const state = await studio.after(() => clickOn(saddle, 0.5)); // from inside the hole
   assert.equal((await critical(3)).length, 2);
   assert.equal(state.budget.interior["6"], 2);
   await studio.picture("half_saddles");

@@ -112,15 +112,15 @@ export class Studio {
     }, point);
   }
   /** Turns the camera so that it looks at a point from outside along a direction. */
-  async lookAt(point, from) {
-    await this.page.evaluate(([p, d]) => {
+  async lookAt(point, from, radii = 2.6) {
+    await this.page.evaluate(([p, d, r]) => {
       const { viewport, stage } = window.studio;
       viewport.controls.target.set(...p);
-      viewport.camera.position.set(...p).add(viewport.controls.target.clone().set(...d).setLength(2.6 * stage.surface.radius));
+      viewport.camera.position.set(...p).add(viewport.controls.target.clone().set(...d).setLength(r * stage.surface.radius));
       viewport.controls.target.set(...p);
       viewport.controls.update();
       viewport.invalidate();
-    }, [point, from]);
+    }, [point, from, radii]);
     await this.settle();
   }
   async clickAt(point) {

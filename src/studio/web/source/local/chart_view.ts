@@ -40,7 +40,13 @@ export class ChartView {
     this.mesh.object.renderOrder = 3;
     app.viewport.scene.add(this.glow.object, this.mesh.object);
     app.store.watch(["chart", "state"], () => this.follow());
+    app.store.watch(["layers"], () => this.showOnSurface());
     new ResizeObserver(() => this.draw()).observe(this.canvas);
+  }
+
+  private showOnSurface(): void {
+    this.mesh.show(this.texture !== null && this.app.store.get("layers").has("surface"));
+    this.app.viewport.invalidate();
   }
 
   /** Takes the program's frame of a chart. */
@@ -112,7 +118,7 @@ export class ChartView {
       for (let i = 0; i < 4; ++i)
         for (const v of [t.quads[q + i]!, t.quads[q + ((i + 1) % 4)]!]) for (let k = 0; k < 3; ++k) pairs.push(t.space[3 * v + k]!);
     this.mesh.set(new Float32Array(pairs));
-    this.mesh.show(this.app.store.get("layers").has("surface"));
+    this.showOnSurface();
     this.app.viewport.invalidate();
   }
 

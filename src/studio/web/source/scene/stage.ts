@@ -141,6 +141,7 @@ export class Stage {
   }
 
   private isInSight(point: THREE.Vector3): boolean {
+    if (this.shown.has("xray") || this.shown.has("reeb")) return true;
     const eye = this.viewport.camera.position;
     const ray = new THREE.Raycaster(eye, point.clone().sub(eye).normalize());
     const hit = this.surface.pick(ray);
