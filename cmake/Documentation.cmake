@@ -4,6 +4,19 @@ find_package(Doxygen QUIET)
 if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
   set(doc_dir ${PROJECT_SOURCE_DIR}/doc/Reeb_quadrangulation)
   set(figure_dir ${PROJECT_BINARY_DIR}/doc/figures)
+  # The studio's pictures are taken in a browser; without one its page is left out.
+  set(studio_pages_excluded ${doc_dir}/studio.md)
+  set(studio_figure "")
+  if(REEBQUAD_STUDIO AND NPM_PROGRAM AND NODE_PROGRAM AND CHROMIUM_PROGRAM)
+    set(studio_pages_excluded "")
+    set(studio_figure ${figure_dir}/studio_10.png)
+    add_custom_command(OUTPUT ${studio_figure}
+      COMMAND ${CMAKE_COMMAND} -E env REEBQUAD_PROGRAM=$<TARGET_FILE:reebquad> CHROMIUM=${CHROMIUM_PROGRAM}
+        STUDIO_PAGE_DIR=${PROJECT_BINARY_DIR}/src/studio/page STUDIO_ARTEFACTS=${figure_dir}
+        ${NODE_PROGRAM} ${PROJECT_SOURCE_DIR}/test/studio/tour.mjs
+      DEPENDS reebquad ${PROJECT_SOURCE_DIR}/test/studio/tour.mjs ${PROJECT_SOURCE_DIR}/test/studio/harness.mjs
+      COMMENT "Taking pictures of the studio" VERBATIM)
+  endif()
   configure_file(${doc_dir}/Doxyfile.in ${PROJECT_BINARY_DIR}/doc/Doxyfile @ONLY)
   add_custom_command(OUTPUT ${figure_dir}/quads.png
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:reebquad> -D OUT=${figure_dir} -P ${doc_dir}/fig/make_figures.cmake
@@ -13,6 +26,6 @@ if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
     COMMAND $<TARGET_FILE:example_texture_pictures> ${figure_dir}
     DEPENDS example_texture_pictures COMMENT "Drawing the texture operators" VERBATIM)
   add_custom_target(doc COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/doc/Doxyfile
-    DEPENDS ${figure_dir}/quads.png ${figure_dir}/texture_move_vertices.svg
+    DEPENDS ${figure_dir}/quads.png ${figure_dir}/texture_move_vertices.svg ${studio_figure}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Making the manual" VERBATIM)
 endif()

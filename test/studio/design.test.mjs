@@ -169,4 +169,22 @@ test("the exported quads are those of the replayed recipe, byte for byte", async
   assert.ok(quads.equals(readFileSync(studio.path("replayed.obj"))));
 });
 
+test("the torus of figure 9 has no extraordinary vertex", async () => {
+  await studio.page.click('[data-step="1"]');
+  await studio.page.waitForFunction(() => {
+    const state = window.studio.store.get("state");
+    return state.applied === 1 && state.finished;
+  });
+  const extrema = [...(await critical(0)), ...(await critical(2))];
+  await studio.tool("saddle", "Halves");
+  for (const saddle of await critical(1)) await studio.after(() => clickOn(saddle, 0.5));
+  await studio.tool("saddle", "Make regular");
+  let state;
+  for (const tip of extrema) state = await studio.after(() => clickOn(tip));
+  assert.deepEqual(Object.keys(state.budget.interior), ["4"]);
+  await studio.view("quads");
+  await studio.lookAt([0, 0, 0], [0.3, 0.2, 1], 4);
+  await studio.picture("torus_of_figure_9");
+});
+
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

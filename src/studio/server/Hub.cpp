@@ -106,6 +106,7 @@ Hub::Hub(const Folder& folder, Post post)
 
 void Hub::stop() {
   m_worker.reset();
+  m_owed.clear();
   m_clients.clear();
 }
 
@@ -120,7 +121,24 @@ void Hub::remove(const std::shared_ptr<Client>& client) {
   m_clients.erase(client);
 }
 
-void Hub::enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable) {
+// Who waits is told at once; the worker stops as soon as it notices.
+void Hub::cancel() {
+  m_worker->cancel();
+  const auto owed = std::move(m_owed);
+  m_owed.clear();
+  for (const auto& [number, reply] : owed) reply(make_error(Error_code::cancelled, "cancelled"));
+}
+
+void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool replaceable) {
+  const std::int64_t number = m_next_owed++;
+  m_owed[number] = std::move(reply);
+  const auto done = [this, number](const Result<Json>& result) {
+    const auto owed = m_owed.find(number);
+    if (owed == m_owed.end()) return;
+    const auto answer = std::move(owed->second);
+    m_owed.erase(owed);
+    answer(result);
+  };
   // The reply follows the picture: when a page learns that its edit is done it has been sent what changed.
   const auto job = [this, task = std::move(task), done](Worker::Observer& observer) {
     Result<Json> result = task(*m_session, observer);
@@ -152,7 +170,7 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
     return;
   }
   if (request->command == Command::cancel) {
-    m_worker->cancel();
+    cancel();
     client->send({"", text_of(reply_json(request->id, Json::object())), false});
     return;
   }

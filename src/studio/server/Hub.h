@@ -43,6 +43,7 @@ private:
   using Task = std::function<Result<Json>(Session&, Worker::Observer&)>;
   void start(const std::weak_ptr<Client>& client, const Request& request);
   void enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable = false);
+  void cancel();
   void finish();
   /// Tells the pages the session as it is; called by the worker's thread.
   void publish_from_worker();
@@ -52,6 +53,9 @@ private:
 
   Post m_post;
   std::set<std::shared_ptr<Client>> m_clients;
+  /// The replies that are owed, and how to give them early.
+  std::map<std::int64_t, std::function<void(Result<Json>)>> m_owed;
+  std::int64_t m_next_owed = 0;
   Layers m_layers; ///< as published last
   std::shared_ptr<const std::string> m_state;
   std::unique_ptr<Session> m_session; ///< the worker's

@@ -90,6 +90,7 @@ Result<void> Session::open(Saved_session origin, const std::string& bytes, Obser
   Result<std::unique_ptr<Workpiece>> work =
       Workpiece::create(std::move(mended->components[largest].surface), &observer);
   if (!work) return work.error();
+  if (observer.cancelled()) return make_error(Error_code::cancelled, "cancelled");
 
   const Triangle_surface& surface = (*work)->surface();
   origin.bytes = bytes.size();
@@ -214,7 +215,7 @@ void Session::changed(double milliseconds, const std::string& text, bool save) {
   m_layers_are_stale = true;
   m_saved.edits = m_work->edits();
   m_saved.applied = m_work->applied();
-  certify_quads(false, nullptr);
+  measure();
   m_last = {{"ok", true}, {"text", text}, {"milliseconds", milliseconds}};
   if (!save) return;
   if (Result<void> saved = m_store.save(m_saved); !saved) {
@@ -229,6 +230,7 @@ Result<void> Session::finish(Observer& observer) {
   if (Result<void> done = m_work->finish(&observer); !done) return done;
   ++m_revision;
   m_layers_are_stale = true;
+  measure();
   certify_quads(false, nullptr);
   return {};
 }
@@ -245,18 +247,21 @@ Result<void> Session::certify(Observer& observer) {
   return {};
 }
 
-void Session::certify_quads(bool wholly, const Observer* observer) {
+// What every edit is followed by is linear in the quads only; the certificate, which also reads the surface, comes when the
+// quads are finished.
+void Session::measure() {
   m_certificate.reset();
   m_statistics.reset();
-  const Stitched_mesh* quads = m_work->quads();
-  if (!quads) return;
-  // What is linear in the size only: the rest would be felt after every edit.
+  if (const Stitched_mesh* quads = m_work->quads()) m_statistics = quad_statistics(quads->mesh);
+}
+
+void Session::certify_quads(bool wholly, const Observer* observer) {
+  const Stitched_mesh& quads = *m_work->quads();
   Certificate_options options;
   options.measure_distance = options.find_self_intersections = wholly;
   options.observer = observer;
   m_certificate =
-      CGAL::Reeb_quadrangulation::certify({quads->mesh, &m_work->surface(), quads->valences}, options);
-  m_statistics = quad_statistics(quads->mesh);
+      CGAL::Reeb_quadrangulation::certify({quads.mesh, &m_work->surface(), quads.valences}, options);
 }
 
 const Layers& Session::layers() {
@@ -296,13 +301,13 @@ Json Session::history() const {
 }
 
 // Sum of 4 - valence over interior, of 3 - valence over boundary vertices, is 4 (V - E + F): so the surface says how many
-// extraordinary vertices there must be, and the certificate how many there are.
+// extraordinary vertices there must be, and the statistics how many there are.
 Json Session::budget() const {
   Json interior = Json::object(), boundary = Json::object();
-  if (m_certificate) {
-    for (const auto& [valence, number] : m_certificate->interior_valences)
+  if (m_statistics) {
+    for (const auto& [valence, number] : m_statistics->interior_valences)
       interior[std::to_string(valence)] = number;
-    for (const auto& [valence, number] : m_certificate->boundary_valences)
+    for (const auto& [valence, number] : m_statistics->boundary_valences)
       boundary[std::to_string(valence)] = number;
   }
   return {{"needed", 4 * m_file["euler_characteristic"].get<int>()},

@@ -58,8 +58,9 @@ public:
 private:
   Result<void> open(Saved_session origin, const std::string& bytes, Observer& observer);
   Result<void> step(bool forward);
-  /// What follows every change: measures, certifies, saves.
+  /// What follows every change: measures, saves.
   void changed(double milliseconds, const std::string& text, bool save = true);
+  void measure();
   void certify_quads(bool wholly, const Observer* observer);
   Json budget() const;
   Json history() const;

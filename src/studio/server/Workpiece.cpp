@@ -74,6 +74,12 @@ Result<Json> Workpiece::apply(const Json& edit, Observer* observer) {
   if (!parsed) return parsed.error();
   Result<Edit_report> report = m_editor.apply(*parsed, observer);
   if (!report) return report.error();
+  if (observer && observer->cancelled()) {
+    // Asked to stop too late for the editor, but the user was told that everything stays as it was.
+    m_editor.undo();
+    m_previewed = true;
+    return make_error(Error_code::cancelled, "cancelled");
+  }
   m_previewed = false;
   stitch();
   return json_of(*report);

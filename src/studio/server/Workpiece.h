@@ -59,7 +59,7 @@ private:
   CGAL::Reeb_quadrangulation::Point m_origin;
   std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
   bool m_finished = false;
-  bool m_previewed = false; ///< the edit that could be redone was a preview
+  bool m_previewed = false; ///< the last edit, which could be redone, was taken back for good
 };
 
 /// The middle of the bounding box of the points.

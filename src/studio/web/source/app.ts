@@ -19,6 +19,7 @@ import { chartPanel } from "./ui/chart_panel";
 import { designPanel } from "./ui/design_panel";
 import { defectsPanel } from "./ui/defects_panel";
 import { h, icon } from "./ui/dom";
+import { hintsPanel } from "./ui/hints_panel";
 import { historyPanel } from "./ui/history_panel";
 import { icons } from "./ui/icons";
 import { keyboardHelp, listenToKeys, type Shortcut } from "./ui/keyboard";
@@ -117,6 +118,13 @@ export class App {
     } catch (error) {
       this.tell(error);
     }
+  }
+
+  /** Lets only the quads shine whose quality passes; null: all. */
+  lightQuads(lit: ((quality: number) => boolean) | null): void {
+    this.stage.quads.light(lit);
+    if (lit) this.setView("quality");
+    this.viewport.invalidate();
   }
 
   setView(view: ViewId): void {
@@ -221,11 +229,10 @@ export class App {
       panel("Chart", chartPanel(this)),
       panel("Layers", layersPanel(this.store)),
       panel("Quality", qualityPanel(this.store, (bin) => {
-        this.stage.quads.light(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
-        if (bin) this.setView("quality");
-        this.viewport.invalidate();
+        this.lightQuads(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
       })),
       panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
+      panel("Hints", hintsPanel(this)),
       panel("Findings", defectsPanel(this.store, (where, radius) => this.viewport.focus(new THREE.Vector3(...where), radius)), false),
     );
     const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), welcome(this.store, openMesh, () => void this.ask("restore")));

@@ -120,13 +120,17 @@ export class Surface {
 
   /** A vertex well inside a chart: with only faces of it around, the middle one of these by the field's value. */
   insideOf(chart: number): THREE.Vector3 | null {
-    const owner = new Map<number, boolean>();
-    for (let f = 0; f < this.chartOfFace.length; ++f)
-      for (let i = 0; i < 3; ++i) {
-        const v = this.triangles[3 * f + i]!;
-        owner.set(v, (owner.get(v) ?? true) && this.chartOfFace[f] === chart);
+    const owner = new Int8Array(this.positions.length / 3); // 0 no face of it, 1 only such faces, 2 also others
+    for (let f = 0; f < this.chartOfFace.length; ++f) {
+      const inside = this.chartOfFace[f] === chart;
+      for (let i = 3 * f; i < 3 * f + 3; ++i) {
+        const v = this.triangles[i]!;
+        if (!inside) owner[v] = 2;
+        else if (owner[v] === 0) owner[v] = 1;
       }
-    const inner = [...owner].filter(([, inside]) => inside).map(([v]) => v);
+    }
+    const inner: number[] = [];
+    owner.forEach((kind, v) => kind === 1 && inner.push(v));
     if (inner.length === 0) return null;
     inner.sort((a, b) => this.values[a]! - this.values[b]! || a - b);
     return this.vertex(inner[inner.length >> 1]!);

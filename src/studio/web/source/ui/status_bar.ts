@@ -15,7 +15,7 @@ export function statusBar(store: Store, certify: () => void): HTMLElement {
       state?.file &&
         h("span", { title: "Triangles of the surface, and its handles" }, `${state.file.name} · ${readable(state.file.triangles)} triangles · genus ${state.file.genus}`),
       state?.statistics && h("span", { className: "counts", "data-quads": String(state.statistics.quads) }, `${readable(state.statistics.quads)} quads · ${readable(state.statistics.vertices)} vertices`),
-      state?.certificate && light(state, certify),
+      state?.statistics && (state.certificate ? light(state, certify) : h("span", { className: "checking" }, h("span", { className: "light grey" }), "checking")),
       state?.budget && budget(state),
       h("span", { className: "spring" }),
       state?.last && h("span", { className: state.last.ok ? "last" : "last bad", title: state.last.text }, lastText(state)),

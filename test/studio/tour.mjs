@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes the ten pictures of the manual's page on the studio: studio_01.png to studio_10.png in STUDIO_ARTEFACTS.
+import { Studio } from "./harness.mjs";
+
+const studio = await Studio.start({ theme: "light", width: 1180, height: 740 });
+let number = 0;
+const take = async () => {
+  await studio.page.evaluate(() => document.querySelectorAll(".toast").forEach((toast) => toast.remove()));
+  await studio.picture(`studio_${String(++number).padStart(2, "0")}`);
+};
+const point = (find) => studio.page.evaluate(find);
+const tube = () =>
+  point(() => {
+    const { store, stage } = window.studio;
+    const { id } = store.get("state").facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
+    return stage.surface.insideOf(id).toArray();
+  });
+
+await take();
+await studio.upload(studio.shape("hand", 8000));
+await studio.page.selectOption("#axis", { label: "Z is up" });
+await studio.page.waitForTimeout(500);
+await take();
+await studio.suggest();
+await studio.view("field");
+await take();
+await studio.view("atlas");
+await take();
+await studio.view("quads");
+await take();
+await studio.view("quality");
+await take();
+await studio.tool("subdivide");
+const inside = await tube();
+await studio.lookAt(inside, [0.3, -0.5, 1], 2.2);
+await studio.after(() => studio.clickAt(inside));
+await take();
+await studio.tool("plane");
+const contour = await point(() => {
+  const { stage } = window.studio;
+  const all = stage.contours.filter((c) => c.kind === "regular").flatMap((c) => c.points);
+  const free = all.filter((p) => {
+    const { x, y } = stage.viewport.project(p);
+    return x > 380 && x < 800 && y > 250 && y < 600 && stage.contourAt({ clientX: x, clientY: y })?.kind === "regular";
+  });
+  return free[free.length >> 1].toArray();
+});
+await studio.clickAt(contour);
+await take();
+await studio.tool("pole", "Halves");
+await take();
+await studio.tool("select");
+await studio.page.locator(".chart").first().click();
+await studio.page.waitForSelector(".chart-view:not([hidden])");
+await studio.page.hover(".chart-view canvas");
+await take();
+await studio.close();
