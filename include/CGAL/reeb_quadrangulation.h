@@ -40,6 +40,7 @@
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>
+#include <CGAL/Reeb_quadrangulation/merge_patches.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/parameters.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>

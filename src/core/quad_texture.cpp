@@ -90,6 +90,8 @@ std::vector<Directed_edge> side_edges(const Quad_texture& texture, bool clockwis
 Result<void> check_texture(const Quad_texture& texture, const std::vector<int>& samples, bool clockwise) {
   const int n = int(texture.v.size());
   if (texture.u.size() != texture.v.size()) return bad_texture("has different numbers of U and V");
+  if (!texture.holes.empty() && texture.holes.size() != texture.quads.size())
+    return bad_texture("does not say of each quad whether it is a hole");
   for (int i = 0; i < n; ++i)
     if (!std::isfinite(texture.v[i]) || !std::isfinite(texture.u[i]))
       return bad_texture("has a parameter that is not finite");

@@ -230,6 +230,10 @@ TEST_CASE("holes stay in the texture, go with its quads, and can be filled") {
   const Quad_texture hole = applied(t, Delete_quads{{at(0.25, 0.5), at(0.42, 0.5)}});
   CHECK(hole.quads == t.quads);
   CHECK(hole.holes[7] + hole.holes[8] == 2);
+  Quad_texture bad = hole;
+  bad.holes.pop_back();
+  CHECK_THAT(check_texture(bad, {6, 6}, false).error().message, Contains("hole"));
+  CHECK_THAT(reason(bad, Subdivide_texture{}), Contains("arrays"));
   CHECK(bytes(applied(hole, Restore_quads{{at(0.25, 0.5), at(0.42, 0.5)}})) == bytes(t));
   const Quad_texture fine = applied(hole, Subdivide_texture{});
   CHECK(std::count(fine.holes.begin(), fine.holes.end(), 1) == 8);

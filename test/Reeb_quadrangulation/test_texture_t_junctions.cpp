@@ -2,7 +2,7 @@
 #include "tiny_quads.h"
 #include "tiny_textures.h"
 
-#include <CGAL/Reeb_quadrangulation/t_junctions.h>
+#include <CGAL/Reeb_quadrangulation/merge_patches.h>
 
 #include <algorithm>
 #include <set>
@@ -281,6 +281,90 @@ TEST_CASE("random T-junctions on bands: always watertight, all quads, of the sam
   CHECK(double(extraordinary) < 2.0 * double(junctions));
 }
 
+namespace {
+
+/// Adds a ring between two bands. `a` and `b` get the numbers of its vertices that each band has; they share `shared` of them, and between
+/// two shared ones only one band has others.
+std::vector<int> add_ring(Quad_mesh& mesh, Random& random, int shared, std::array<int, 2> extra, double y,
+                          std::array<std::vector<int>, 2>& side) {
+  std::vector<int> owner(shared), count(shared, 0);
+  for (int i = 0; i < shared; ++i) owner[i] = i < 2 ? i : random.below(2);
+  for (int s = 0; s < 2; ++s)
+    for (int k = extra[s]; k > 0;)
+      if (const int i = random.below(shared); owner[i] == s) {
+        ++count[i];
+        --k;
+      }
+  std::vector<int> ring;
+  for (int i = 0; i < shared; ++i)
+    for (int k = 0; k <= count[i]; ++k) {
+      ring.push_back(int(mesh.points.size()));
+      mesh.points.emplace_back(i + double(k) / (count[i] + 1), y, 0);
+      for (int s = 0; s < 2; ++s)
+        if (k == 0 || owner[i] == s) side[s].push_back(ring.back());
+    }
+  return ring;
+}
+
+/// A band of `rows` rows of quads up from one ring to another.
+void add_band(Quad_mesh& mesh, const std::vector<int>& low, const std::vector<int>& high, int rows) {
+  const int n = int(low.size());
+  std::vector<int> below = low;
+  for (int r = 1; r <= rows; ++r) {
+    std::vector<int> above = high;
+    for (int i = 0; i < n && r < rows; ++i) {
+      above[i] = int(mesh.points.size());
+      mesh.points.emplace_back(i, 10 * r, 0);
+    }
+    for (int i = 0; i < n; ++i)
+      mesh.quads.push_back({below[i], below[(i + 1) % n], above[(i + 1) % n], above[i]});
+    below = above;
+  }
+}
+
+/// The hanging edges of a band along a ring.
+void add_hanging(Hanging_case& c, const std::vector<int>& ring, const std::vector<int>& side) {
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const int a = side[i], b = side[(i + 1) % side.size()];
+    std::vector<int> between;
+    const std::size_t from = std::size_t(std::find(ring.begin(), ring.end(), a) - ring.begin());
+    for (std::size_t k = from + 1; ring[k % ring.size()] != b; ++k) between.push_back(ring[k % ring.size()]);
+    if (between.empty()) continue;
+    for (int f = 0; f < int(c.mesh.quads.size()); ++f)
+      for (int j = 0; j < 4; ++j) {
+        const int from_vertex = c.mesh.quads[f][j], to = c.mesh.quads[f][(j + 1) % 4];
+        if (from_vertex == b && to == a) std::reverse(between.begin(), between.end());
+        if ((from_vertex == a && to == b) || (from_vertex == b && to == a))
+          c.hanging.push_back({f, j, between});
+      }
+  }
+}
+
+} // namespace
+
+TEST_CASE("bands that are finer than each other in different places: always watertight") {
+  Random random(77);
+  for (int k = 0; k < 1000; ++k) {
+    Hanging_case c;
+    const std::array<int, 2> columns{{4 + random.below(6), 4 + random.below(6)}};
+    std::array<std::array<std::vector<int>, 2>, 2> sides; // per ring and band
+    std::array<std::vector<int>, 2> rings;
+    for (int r = 0; r < 2; ++r) {
+      const int shared = 3 + random.below(std::min(columns[0], columns[1]) - 2);
+      rings[r] = add_ring(c.mesh, random, shared, {{columns[0] - shared, columns[1] - shared}}, r, sides[r]);
+    }
+    add_band(c.mesh, sides[0][0], sides[1][0], 2 + random.below(3));
+    add_band(c.mesh, sides[1][1], sides[0][1], 2 + random.below(3));
+    for (int r = 0; r < 2; ++r)
+      for (int s = 0; s < 2; ++s) add_hanging(c, rings[r], sides[r][s]);
+    INFO("trial " << k);
+    const Resolved_mesh out = resolved(c);
+    const Edges edges = edges_of(out.mesh);
+    REQUIRE(edges.boundary == 0);
+    REQUIRE(int(out.mesh.points.size()) - edges.all + int(out.mesh.quads.size()) == 0);
+  }
+}
+
 TEST_CASE("random T-junctions in a flat sheet: always convex quads") {
   Random random(5);
   for (int k = 0; k < 2000; ++k) {
@@ -290,5 +374,67 @@ TEST_CASE("random T-junctions in a flat sheet: always convex quads") {
     const Resolved_mesh out = resolved(c);
     REQUIRE(is_convex(out.mesh));
     REQUIRE(euler(out.mesh) == 1);
+  }
+}
+
+namespace {
+
+/// `n` x `rows` flat quads from x = `x` on, `width` wide and 1 high.
+Quad_mesh patch(double x, double width, int n, int rows) {
+  Quad_mesh mesh;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= n; ++i) mesh.points.emplace_back(x + width * i / n, double(j) / rows, 0);
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + n + 1;
+      mesh.quads.push_back({a, a + 1, b + 1, b});
+    }
+  return mesh;
+}
+
+} // namespace
+
+TEST_CASE("patches made separately are merged, and what is left is resolved") {
+  for (const auto& [left, right] :
+       {std::pair(4, 4), std::pair(4, 8), std::pair(4, 7), std::pair(9, 5), std::pair(1, 6)}) {
+    INFO(left << " rows beside " << right);
+    const Quad_mesh both = together(patch(0, 1, 3, left), patch(1.001, 1, 3, right));
+    const auto merged = merge_patches(both);
+    REQUIRE(merged);
+    CHECK(merged->greedy_merges >= 2);
+    CHECK(merged->greedy_merges + merged->later_merges == std::min(left, right) + 1);
+    std::size_t junctions = 0;
+    for (const Hanging_edge& e : merged->hanging) junctions += e.vertices.size();
+    CHECK(int(junctions) == std::abs(left - right));
+    const Resolved_mesh out = resolved({merged->mesh, merged->hanging});
+    CHECK(edges_of(out.mesh).boundary == 2 * 6 + left + right + int(out.boundary_vertices.size()));
+    CHECK(euler(out.mesh) == 1);
+    CHECK(is_convex(out.mesh));
+  }
+}
+
+TEST_CASE("patches that are apart, or only touch, stay apart") {
+  const auto apart = merge_patches(together(patch(0, 1, 3, 4), patch(1.5, 1, 3, 4)));
+  REQUIRE(apart);
+  CHECK(apart->greedy_merges == 0);
+  CHECK(apart->hanging.empty());
+  const auto one = merge_patches(patch(0, 1, 3, 4));
+  REQUIRE(one);
+  CHECK(one->mesh.quads == patch(0, 1, 3, 4).quads);
+  CHECK(!merge_patches(patch(0, 1, 3, 4), 0.9));
+  Quad_mesh bad = patch(0, 1, 3, 4);
+  bad.quads.push_back(bad.quads[0]);
+  CHECK(!merge_patches(bad));
+}
+
+TEST_CASE("a cylinder in two pieces closes") {
+  for (const auto& [lower, upper] : {std::pair(8, 8), std::pair(8, 16), std::pair(8, 12), std::pair(6, 10)}) {
+    Quad_mesh top = quad_cylinder(upper, 2);
+    for (Point& p : top.points) p.z() += 2.01;
+    const auto merged = merge_patches(together(quad_cylinder(lower, 2), top));
+    REQUIRE(merged);
+    const Resolved_mesh out = resolved({merged->mesh, merged->hanging}, inside_only);
+    CHECK(edges_of(out.mesh).boundary == lower + upper);
+    CHECK(euler(out.mesh) == 0);
   }
 }
