@@ -140,7 +140,7 @@ export class App {
     const name = state.file?.name ?? "";
     const hasQuads = Boolean(state.statistics);
     if (name && name !== this.fileName) {
-      this.viewport.fit(this.stage.surface.radius);
+      this.viewport.fit(this.stage.surface.positions);
       if (state.file!.mends.length) this.toasts.show("The mesh was mended", state.file!.mends.join(" "));
       if (state.file!.components > 1) this.toasts.show("There are several parts", `The largest of ${state.file!.components} is worked on.`);
     }
@@ -178,7 +178,7 @@ export class App {
       { keys: "Ctrl+Shift+z", about: "redo", group: "Studio", run: () => void this.ask("redo") },
       { keys: "Ctrl+y", about: "redo", group: "Studio", run: () => void this.ask("redo") },
       { keys: "Ctrl+e", about: "export the quads", group: "Studio", run: () => void this.download("obj", `${this.baseName}_quads.obj`) },
-      { keys: "h", about: "see everything", group: "Camera", run: () => this.viewport.fit(this.stage.surface.radius, true) },
+      { keys: "h", about: "see everything", group: "Camera", run: () => this.viewport.fit(this.stage.surface.positions, true) },
       { keys: "Escape", about: "stop the tool", group: "Tools", run: () => this.tools.escape() },
     ];
     const layers = layerList.map((layer) => ({
@@ -240,7 +240,7 @@ export class App {
     return help;
   }
 
-  private toggleTheme = startTheme(() => undefined);
+  private toggleTheme = startTheme(() => this.stage?.show(this.store.get("layers")));
 
   private async screenshot(): Promise<void> {
     save(await this.viewport.screenshot(), `${this.baseName}.png`);

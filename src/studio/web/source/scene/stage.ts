@@ -92,6 +92,9 @@ export class Stage {
     this.quads.show(on("quads"), on("valences"));
     this.contourLines.show(on("contours"));
     this.contourLines.setXray(seeThrough);
+    // Dark on the surface; where one looks through it, in contrast to the ground.
+    const isDark = document.documentElement.dataset.theme === "dark";
+    this.contourLines.material.color.setHex(seeThrough && isDark ? 0xd5dde8 : 0x16181d);
     this.reebLines.show(on("reeb"));
     if (this.criticalPoints) this.criticalPoints.visible = on("critical");
     this.criticalMaterial.depthTest = !seeThrough;

@@ -17,6 +17,7 @@ export class Viewport {
   readonly onResize: ((width: number, height: number) => void)[] = [];
   private wanted = true;
   private radius = 1;
+  private points: Float32Array = new Float32Array();
   private flight: { from: THREE.Vector3; to: THREE.Vector3; eyeFrom: THREE.Vector3; eyeTo: THREE.Vector3; start: number } | null = null;
 
   constructor(readonly host: HTMLElement) {
@@ -51,20 +52,34 @@ export class Viewport {
     this.wanted = true;
   }
 
-  /** Sees the whole of a thing of that radius around the origin, from the front and a little from above. */
-  fit(radius: number, keepDirection = false): void {
-    this.radius = radius;
+  /** Sees all of these points (x, y, z each) around the origin; from the front and a little from above, or from where it is. */
+  fit(points: Float32Array, keepDirection = false): void {
+    this.points = points;
+    this.radius = radiusOf(points);
+    const up = this.camera.up.clone(), side = new THREE.Vector3(up.y, up.z, up.x), front = up.clone().cross(side).negate();
     const direction = keepDirection
       ? this.camera.position.clone().sub(this.controls.target).normalize()
-      : new THREE.Vector3(0.55, 0.35, 1).normalize();
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = (1.08 * radius) / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2)) / narrow;
+      : new THREE.Vector3().addScaledVector(side, 0.5).addScaledVector(up, 0.32).addScaledVector(front, 1).normalize();
+    const distance = this.distanceFor(points, direction);
     this.fly(new THREE.Vector3(), direction.multiplyScalar(distance), keepDirection);
-    this.camera.near = distance / 400;
-    this.camera.far = distance * 20;
+    this.camera.near = this.radius / 200;
+    this.camera.far = this.radius * 40;
     this.camera.updateProjectionMatrix();
-    this.controls.minDistance = radius / 200;
-    this.controls.maxDistance = radius * 15;
+    this.controls.minDistance = this.radius / 100;
+    this.controls.maxDistance = this.radius * 15;
+  }
+
+  /** How far the eye must be, in that direction from the origin, to have all points in the picture with a margin. */
+  private distanceFor(points: Float32Array, direction: THREE.Vector3): number {
+    const right = this.camera.up.clone().cross(direction).normalize(), above = direction.clone().cross(right);
+    const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * 0.88, wide = high * this.camera.aspect;
+    const p = new THREE.Vector3();
+    let distance = 0.1 * this.radius;
+    for (let i = 0; i < points.length; i += 3) {
+      p.fromArray(points, i);
+      distance = Math.max(distance, p.dot(direction) + Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(above)) / high));
+    }
+    return distance;
   }
 
   setUp(up: THREE.Vector3): void {
@@ -73,7 +88,7 @@ export class Viewport {
     const controls = this.controls as unknown as { _quat: THREE.Quaternion; _quatInverse: THREE.Quaternion };
     controls._quat.setFromUnitVectors(up, new THREE.Vector3(0, 1, 0));
     controls._quatInverse.copy(controls._quat).invert();
-    this.fit(this.radius);
+    this.fit(this.points);
   }
 
   /** Turns around that point from now on, and comes a little closer. */
@@ -149,4 +164,10 @@ export class Viewport {
     if (t >= 1) this.flight = null;
     this.invalidate();
   }
+}
+
+function radiusOf(points: Float32Array): number {
+  let square = 0;
+  for (let i = 0; i < points.length; i += 3) square = Math.max(square, points[i]! ** 2 + points[i + 1]! ** 2 + points[i + 2]! ** 2);
+  return Math.sqrt(square) || 1;
 }

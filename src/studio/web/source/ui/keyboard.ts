@@ -42,7 +42,7 @@ export function keyboardHelp(shortcuts: Shortcut[]): () => void {
     h("header", {}, h("h2", {}, "Keys and mouse"), h("button", { className: "ghost", onclick: () => dialog.close() }, "Close")),
     h(
       "div", { className: "key-columns" },
-      h("section", {}, h("h3", {}, "Camera"), ...mouse.map(([what, does]) => h("div", {}, h("kbd", {}, what), h("span", {}, does)))),
+      h("section", {}, h("h3", {}, "Mouse"), ...mouse.map(([what, does]) => h("div", {}, h("kbd", {}, what), h("span", {}, does)))),
       ...groups.map((group) =>
         h("section", {}, h("h3", {}, group), ...shortcuts.filter((s) => s.group === group).map((s) => h("div", {}, h("kbd", {}, s.keys.length === 1 ? s.keys.toUpperCase() : s.keys), h("span", {}, s.about)))),
       ),
