@@ -81,7 +81,7 @@ public:
       if (!e.vertices.empty() && (!free || d.network.nodes[e.from].kind == Node_kind::regular))
         edges.push_back(&e);
     const std::vector<int>& v = edges[below(edges.size())]->vertices;
-    return {d.embedding->surface.points[v[below(v.size())]], -1};
+    return {d.network.position(m_editor.working_surface(), v[below(v.size())]), -1};
   }
   // Some steps away from a vertex of the surface.
   Surface_point beside(const Surface_point& p, int steps) {

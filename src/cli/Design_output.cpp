@@ -49,8 +49,7 @@ std::string Design_output::report(const std::string& input, const std::string& o
 
 namespace {
 
-void add_contours(Scene& scene, const Design& design) {
-  const std::vector<Point>& points = design.embedding->surface.points;
+void add_contours(Scene& scene, const std::vector<Point>& points, const Design& design) {
   for (const Contour_edge& edge : design.network.edges)
     for (std::size_t i = 1; i < edge.vertices.size(); ++i)
       scene.lines.push_back({points[edge.vertices[i - 1]], points[edge.vertices[i]], {24, 24, 30}, 2.5});
@@ -72,8 +71,9 @@ void Design_output::write_pictures(const std::string& folder) const {
                     file);
   };
   const Design& design = m_editor.design();
-  Scene charts = face_colour_scene(design.embedding->surface, design.atlas.chart_of_face);
-  add_contours(charts, design);
+  const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
+  Scene charts = face_colour_scene(embedded.embedding.surface, embedded.chart_of_face);
+  add_contours(charts, embedded.embedding.surface.points, design);
   write(charts, "charts.png");
   write(quad_scene(m_quads.mesh), "quads.png");
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 
 namespace CGAL {
@@ -54,8 +55,8 @@ void sort_faces(const Embedding& embedding, std::vector<int>& faces) {
   const auto base = [&](int f) { return embedding.base_face[f]; };
   const auto by_base = [&](int f, int g) { return base(f) < base(g); };
   // Faces of the surface come first, then further pieces: both are in order.
-  const auto piece = std::find_if(faces.begin(), faces.end(), [&](int f) { return base(f) != f; });
-  std::inplace_merge(faces.begin(), piece, faces.end(), by_base);
+  std::inplace_merge(faces.begin(), std::is_sorted_until(faces.begin(), faces.end(), by_base), faces.end(),
+                     by_base);
   for (auto first = faces.begin(), last = first; first != faces.end(); first = last) {
     while (last != faces.end() && base(*last) == base(*first)) ++last;
     if (last - first > 1)
@@ -348,48 +349,148 @@ std::vector<Border_set> borders_of_regions(const Embedding& embedding, const std
   return borders;
 }
 
-std::map<Border_set, int> charts_by_border(const Atlas& atlas) {
+std::vector<Border_set> borders_of_charts(const Atlas& atlas) {
   std::vector<Border_set> borders(atlas.charts.size());
   for (std::size_t e = 0; e < atlas.charts_of_edge.size(); ++e)
     for (int side = 0; side < 2; ++side)
       if (const int c = atlas.charts_of_edge[e][side]; c >= 0) borders[c].push_back({int(e), side == 0});
+  for (Border_set& border : borders) std::sort(border.begin(), border.end());
+  return borders;
+}
+
+std::map<Border_set, int> charts_by_border(const Atlas& atlas) {
+  const std::vector<Border_set> borders = borders_of_charts(atlas);
   std::map<Border_set, int> result;
-  for (std::size_t c = 0; c < borders.size(); ++c) {
-    std::sort(borders[c].begin(), borders[c].end());
-    result[borders[c]] = int(c);
-  }
+  for (std::size_t c = 0; c < borders.size(); ++c) result[borders[c]] = int(c);
   return result;
 }
 
 } // namespace
 
+namespace {
+
+// A chart's place in the atlas: its smallest original face, then the first contour edge around it, then its side.
+struct Chart_key {
+  int face, edge;
+  bool on_right;
+  bool operator<(const Chart_key& o) const {
+    if (face != o.face) return face < o.face;
+    return edge != o.edge ? edge < o.edge : on_right < o.on_right;
+  }
+};
+
+// Finds or builds the charts of regions.
+class Atlas_builder {
+public:
+  Atlas_builder(const Embedding& embedding, const Contour_network& network, const std::vector<int>& extrema,
+                const Atlas* previous)
+      : m_embedding(embedding), m_network(network), m_extrema(extrema), m_previous(previous) {
+    if (previous) m_known = charts_by_border(*previous);
+  }
+
+  void keep(int chart, const Border_set& border) { add(m_previous->charts[chart], chart, border); }
+
+  // `partial`: leave out the regions that end where the embedding ends, and those that are kept already.
+  Result<void> add_regions(bool partial) {
+    std::vector<std::vector<int>> regions = flood_regions(m_embedding, m_region_of_face);
+    const std::vector<Border_set> borders = borders_of_regions(m_embedding, m_region_of_face, regions.size());
+    m_chart_of_region.assign(regions.size(), -1);
+    std::vector<char> is_open(regions.size(), 0);
+    const Triangle_surface& s = m_embedding.surface;
+    for (int h = 0; partial && h < s.number_of_halfedges(); ++h)
+      if (s.opposite[h] < 0 && !m_embedding.is_wall(h)) is_open[m_region_of_face[h / 3]] = 1;
+    Chart_builder builder(m_embedding, m_network, m_extrema);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      if (is_open[r] || m_kept.count(borders[r])) continue;
+      m_chart_of_region[r] = int(m_charts.size());
+      if (const auto found = m_known.find(borders[r]); found != m_known.end()) {
+        keep(found->second, borders[r]);
+        continue;
+      }
+      sort_faces(m_embedding, regions[r]);
+      Result<Chart> chart = builder.build(regions[r], int(r));
+      if (!chart) return chart.error();
+      add(std::make_shared<const Chart>(std::move(*chart)), -1, borders[r]);
+    }
+    return {};
+  }
+
+  Atlas finish(std::vector<int>* reused) {
+    std::vector<int> order(m_charts.size()), place(m_charts.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return m_keys[a] < m_keys[b]; });
+    Atlas atlas;
+    atlas.charts_of_edge.assign(m_network.edges.size(), {-1, -1});
+    if (reused) reused->clear();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      place[order[i]] = int(i);
+      atlas.charts.push_back(m_charts[order[i]]);
+      if (reused) reused->push_back(m_source[order[i]]);
+      for (const auto& [edge, on_left] : m_borders[order[i]])
+        atlas.charts_of_edge[edge][on_left ? 0 : 1] = int(i);
+    }
+    for (int r : m_region_of_face)
+      atlas.chart_of_face.push_back(m_chart_of_region[r] < 0 ? -1 : place[m_chart_of_region[r]]);
+    return atlas;
+  }
+
+private:
+  void add(std::shared_ptr<const Chart> chart, int source, const Border_set& border) {
+    const std::pair<int, bool> first = border.empty() ? std::pair<int, bool>(-1, true) : border.front();
+    m_keys.push_back({chart->face_origin.front(), first.first, !first.second});
+    m_charts.push_back(std::move(chart));
+    m_source.push_back(source);
+    m_borders.push_back(border);
+    m_kept.insert(border);
+  }
+
+  const Embedding& m_embedding;
+  const Contour_network& m_network;
+  const std::vector<int>& m_extrema;
+  const Atlas* m_previous;
+  std::map<Border_set, int> m_known;
+  std::set<Border_set> m_kept;
+  std::vector<int> m_region_of_face, m_chart_of_region;
+  std::vector<std::shared_ptr<const Chart>> m_charts;
+  std::vector<int> m_source;
+  std::vector<Border_set> m_borders;
+  std::vector<Chart_key> m_keys;
+};
+
+} // namespace
+
 Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& network,
                           const std::vector<int>& extrema, const Atlas* previous, std::vector<int>* reused) {
-  Atlas atlas;
-  atlas.charts_of_edge.assign(network.edges.size(), {-1, -1});
-  std::vector<std::vector<int>> regions = flood_regions(embedding, atlas.chart_of_face);
-  for (int h = 0; h < embedding.surface.number_of_halfedges(); ++h)
-    if (const int wall = embedding.wall_of[h]; wall >= 0)
-      atlas.charts_of_edge[embedding.walls[wall].edge][embedding.walls[wall].forward ? 0 : 1] =
-          atlas.chart_of_face[h / 3];
-  std::map<Border_set, int> known;
-  if (previous) known = charts_by_border(*previous);
-  const std::vector<Border_set> borders = borders_of_regions(embedding, atlas.chart_of_face, regions.size());
-  Chart_builder builder(embedding, network, extrema);
-  std::vector<int> source(regions.size(), -1);
-  atlas.charts.resize(regions.size());
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (const auto found = known.find(borders[r]); found != known.end()) {
-      source[r] = found->second;
-      atlas.charts[r] = previous->charts[source[r]];
-      continue;
-    }
-    sort_faces(embedding, regions[r]);
-    Result<Chart> chart = builder.build(regions[r], int(r));
-    if (!chart) return chart.error();
-    atlas.charts[r] = std::make_shared<const Chart>(std::move(*chart));
-  }
-  if (reused) *reused = std::move(source);
+  Atlas_builder builder(embedding, network, extrema, previous);
+  if (Result<void> added = builder.add_regions(false); !added) return added.error();
+  return builder.finish(reused);
+}
+
+std::vector<int> faces_of_charts(const Triangle_surface& surface, const Atlas& atlas,
+                                 const std::vector<int>& charts) {
+  std::vector<char> inside(surface.number_of_faces(), 0);
+  for (int c : charts)
+    for (int f : atlas.charts[c]->face_origin) inside[f] = 1;
+  std::vector<int> faces;
+  for (int f = 0; f < surface.number_of_faces(); ++f)
+    if (inside[f]) faces.push_back(f);
+  return faces;
+}
+
+Result<Atlas> update_atlas(const Triangle_surface& surface, const Contour_network& network,
+                           const std::vector<int>& extrema, const Atlas& previous,
+                           const std::vector<int>& changed, std::vector<int>* reused) {
+  const Result<Embedding> embedding = embed(surface, network, faces_of_charts(surface, previous, changed));
+  if (!embedding) return embedding.error();
+  Atlas_builder builder(*embedding, network, extrema, &previous);
+  std::vector<char> is_changed(previous.charts.size(), 0);
+  for (int c : changed) is_changed[c] = 1;
+  const std::vector<Border_set> borders = borders_of_charts(previous);
+  for (std::size_t c = 0; c < borders.size(); ++c)
+    if (!is_changed[c]) builder.keep(int(c), borders[c]);
+  if (Result<void> added = builder.add_regions(true); !added) return added.error();
+  Atlas atlas = builder.finish(reused);
+  atlas.chart_of_face.clear();
   return atlas;
 }
 

@@ -18,6 +18,15 @@ Point Contour_network::position(const Triangle_surface& surface, int vertex) con
   return p + c.t * (q - p);
 }
 
+std::vector<Point> network_points(const Triangle_surface& surface, const Contour_network& network) {
+  std::vector<Point> points;
+  points.reserve(surface.points.size() + network.crossings.size());
+  points = surface.points;
+  for (std::size_t c = 0; c < network.crossings.size(); ++c)
+    points.push_back(network.position(surface, network.surface_vertices + int(c)));
+  return points;
+}
+
 void remove_edge(Contour_network& network, int e) {
   Contour_edge& edge = network.edges[e];
   for (std::size_t i = 1; i + 1 < edge.vertices.size(); ++i)

@@ -28,7 +28,6 @@ public:
     if (Result<void> done = sample(); !done) return done.error();
     if (Result<void> done = place(); !done) return done.error();
     m_design.atlas = m_draft.atlas();
-    m_design.embedding = m_draft.shared_embedding();
     m_design.network = std::move(m_draft.network);
     m_design.extrema = std::move(m_draft.extrema);
     report_changes();
@@ -100,6 +99,7 @@ private:
 
   // Counts stay where nothing demands a change; contour edges that stay keep their parameter.
   Result<void> sample() {
+    const std::vector<Point> points = network_points(m_draft.surface(), m_draft.network);
     std::vector<const Chart_parameterization*> maps;
     m_heights.assign(number_of_charts(), 0);
     for (int c = 0; c < number_of_charts(); ++c) {
@@ -107,10 +107,9 @@ private:
       if (m_draft.chart(c).kind == Chart_kind::annulus) m_heights[c] = maps[c]->profile().total();
     }
     m_design.samples.parameter =
-        contour_parameters(m_draft.embedding(), m_draft.network, m_draft.atlas(), maps,
-                           m_draft.options().sample_blend, m_before.samples.parameter);
-    Layout_sampling_problem layout =
-        sampling_problem(m_draft.embedding().surface.points, m_draft.network, m_draft.atlas(), m_heights);
+        contour_parameters(points, m_draft.network, m_draft.atlas(), maps, m_draft.options().sample_blend,
+                           m_before.samples.parameter);
+    Layout_sampling_problem layout = sampling_problem(points, m_draft.network, m_draft.atlas(), m_heights);
     Sampling_options options;
     add_wishes(layout, options);
     const double h = m_draft.edge_length;

@@ -19,7 +19,8 @@ Draft::Draft(const Triangle_surface& surface, const Surface_projector& projector
              const Editor_options& options, Observer* observer)
     : network(design.network), extrema(design.extrema), target_quads(design.target_quads),
       edge_length(design.edge_length), m_surface(surface), m_projector(projector), m_before(design),
-      m_options(options), m_observer(observer), m_atlas(design.atlas), m_embedding(design.embedding) {
+      m_options(options), m_observer(observer), m_atlas(design.atlas) {
+  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
   for (std::size_t c = 0; c < design.charts.size(); ++c) {
     settings[design.charts[c]->id] = design.charts[c]->settings;
     m_maps.push_back(design.charts[c]->map);
@@ -34,13 +35,52 @@ std::vector<int> Draft::extremal_vertices() const {
   return vertices;
 }
 
+// The charts beside contours that are gone, and those that new contours go through.
+std::vector<int> Draft::changed_charts() const {
+  std::vector<char> changed(m_atlas.charts.size(), 0), crossed(m_surface.number_of_faces(), 0);
+  const auto cross = [&](int h) {
+    crossed[h / 3] = 1;
+    if (m_surface.opposite[h] >= 0) crossed[m_surface.opposite[h] / 3] = 1;
+  };
+  bool any = false;
+  for (std::size_t e = 0; e < network.edges.size(); ++e) {
+    const bool was = e < m_was_cut.size() && m_was_cut[e], is = !network.is_removed(network.edges[e]);
+    if (was && !is)
+      for (int c : m_atlas.charts_of_edge[e])
+        if (c >= 0) changed[c] = 1;
+    if (was || !is) continue;
+    any = true;
+    for (int f : network.edges[e].faces)
+      if (f >= 0) crossed[f] = 1;
+    for (int v : network.edges[e].vertices) {
+      if (network.is_crossing(v)) {
+        cross(network.crossing(v).halfedge);
+        continue;
+      }
+      const int first = m_surface.outgoing[v];
+      int h = first;
+      do {
+        cross(h);
+        h = m_surface.rotate_ccw(h);
+      } while (h >= 0 && h != first);
+    }
+  }
+  std::vector<int> list;
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    const std::vector<int>& faces = m_atlas.charts[c]->face_origin;
+    if (changed[c] || (any && std::any_of(faces.begin(), faces.end(), [&](int f) { return crossed[f]; })))
+      list.push_back(int(c));
+  }
+  return list;
+}
+
 Result<void> Draft::cut() {
-  Result<Embedding> embedding = embed(m_surface, network);
-  if (!embedding)
-    return refuse("the contour would touch another contour", {}, Element_kind::face,
-                  int(embedding.error().index));
   std::vector<int> reused;
-  Result<Atlas> atlas = build_atlas(*embedding, network, extremal_vertices(), &m_atlas, &reused);
+  Result<Atlas> atlas =
+      update_atlas(m_surface, network, extremal_vertices(), m_atlas, changed_charts(), &reused);
+  if (!atlas && atlas.error().element == Element_kind::face)
+    return refuse("the contour would touch another contour", {}, Element_kind::face,
+                  int(atlas.error().index));
   if (!atlas)
     return refuse("the regions between the contours would not all be charts", atlas.error().message);
   std::vector<std::shared_ptr<const Chart_parameterization>> maps(reused.size());
@@ -53,7 +93,8 @@ Result<void> Draft::cut() {
   m_maps = std::move(maps);
   m_origin = std::move(origin);
   m_atlas = std::move(*atlas);
-  m_embedding = std::make_shared<const Embedding>(std::move(*embedding));
+  m_was_cut.clear();
+  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
   return {};
 }
 
@@ -65,7 +106,7 @@ void Draft::take(Draft&& other) {
   edge_length = other.edge_length;
   resample = other.resample;
   m_atlas = std::move(other.m_atlas);
-  m_embedding = std::move(other.m_embedding);
+  m_was_cut = std::move(other.m_was_cut);
   m_maps = std::move(other.m_maps);
   m_origin = std::move(other.m_origin);
 }
@@ -73,7 +114,9 @@ void Draft::take(Draft&& other) {
 void Draft::adopt(Reeb_layout layout) {
   network = std::move(layout.network);
   m_atlas = std::move(layout.atlas);
-  m_embedding = std::make_shared<const Embedding>(std::move(layout.embedding));
+  m_atlas.chart_of_face.clear();
+  m_was_cut.clear();
+  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
   m_maps.assign(m_atlas.charts.size(), nullptr);
   m_origin.assign(m_atlas.charts.size(), -1);
 }
@@ -110,14 +153,13 @@ int Draft::vertex_at(const Surface_point& at) const {
 }
 
 int Draft::chart_of_vertex(int vertex) const {
-  const Triangle_surface& s = m_embedding->surface;
-  int h = s.outgoing[vertex];
-  const int first = h;
-  do {
-    if (m_embedding->is_wall(h) || m_embedding->is_wall(Triangle_surface::previous(h))) return -1;
-    h = s.rotate_ccw(h);
-  } while (h >= 0 && h != first);
-  return m_atlas.chart_of_face[first / 3];
+  for (const Contour_edge& e : network.edges)
+    if (std::find(e.vertices.begin(), e.vertices.end(), vertex) != e.vertices.end()) return -1;
+  for (std::size_t c = 0; c < m_atlas.charts.size(); ++c) {
+    const std::vector<int>& origin = m_atlas.charts[c]->vertex_origin;
+    if (std::find(origin.begin(), origin.end(), vertex) != origin.end()) return int(c);
+  }
+  return -1;
 }
 
 namespace {
@@ -145,24 +187,21 @@ int Draft::chart_at(const Surface_point& at) const {
   if (at.vertex >= 0 && at.vertex < m_surface.number_of_vertices() && m_surface.points[at.vertex] == at.point)
     if (const int c = chart_of_vertex(at.vertex); c >= 0) return c;
   const Closest_point closest = m_projector.closest(at.point);
-  const Triangle_surface& s = m_embedding->surface;
-  int best = closest.face;
-  const auto measure = [&](int f) {
-    const Triangle& t = s.triangles[f];
-    return outside(closest.point, s.points[t[0]], s.points[t[1]], s.points[t[2]]);
-  };
-  double least = measure(best);
-  const std::vector<int>& base = m_embedding->base_face;
-  const auto extra = base.begin() + m_surface.number_of_faces(); // the further pieces, ordered by their faces
-  for (auto piece = std::lower_bound(extra, base.end(), closest.face);
-       piece != base.end() && *piece == closest.face; ++piece) {
-    const int f = int(piece - base.begin());
-    if (const double m = measure(f); m < least) {
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < m_atlas.charts.size(); ++c) {
+    const Chart& chart = *m_atlas.charts[c];
+    for (std::size_t f = 0; f < chart.face_origin.size(); ++f) {
+      if (chart.face_origin[f] != closest.face) continue;
+      const Triangle& t = chart.mesh.triangles[f];
+      const double m =
+          outside(closest.point, chart.mesh.points[t[0]], chart.mesh.points[t[1]], chart.mesh.points[t[2]]);
+      if (best >= 0 && m >= least) continue;
       least = m;
-      best = f;
+      best = int(c);
     }
   }
-  return m_atlas.chart_of_face[best];
+  return best;
 }
 
 int Draft::contour_at(const Point& point) const {

@@ -42,11 +42,9 @@ public:
   Result<void> cut();
   /// Becomes what another draft of the same design is.
   void take(Draft&& other);
-  /// Takes over a cut that was made elsewhere.
+  /// Takes over a layout of the whole surface.
   void adopt(Reeb_layout layout);
   const Atlas& atlas() const { return m_atlas; }
-  const Embedding& embedding() const { return *m_embedding; }
-  std::shared_ptr<const Embedding> shared_embedding() const { return m_embedding; }
   const Chart& chart(int c) const { return *m_atlas.charts[c]; }
   /// The index that a chart has in the design before, or -1.
   int origin(int c) const { return m_origin[c]; }
@@ -67,7 +65,7 @@ public:
   int saddle_at(const Point& point) const;   ///< a node, or -1
   /// The number of the vertex of a contour edge that is nearest to a point.
   int vertex_of_contour_at(int edge, const Point& point) const;
-  const Point& position(int network_vertex) const { return m_embedding->surface.points[network_vertex]; }
+  Point position(int network_vertex) const { return network.position(m_surface, network_vertex); }
   /// @}
 
   /// The contour edges at a node, with repetition for loops.
@@ -77,15 +75,16 @@ public:
   std::vector<int> extremal_vertices() const;
 
 private:
+  std::vector<int> changed_charts() const;
   const Triangle_surface& m_surface;
   const Surface_projector& m_projector;
   const Design& m_before;
   const Editor_options& m_options;
   Observer* m_observer;
   Atlas m_atlas;
-  std::shared_ptr<const Embedding> m_embedding;
   std::vector<std::shared_ptr<const Chart_parameterization>> m_maps;
   std::vector<int> m_origin;
+  std::vector<char> m_was_cut; // per contour edge: whether the atlas knows it
 };
 
 /// Samples, maps and fills what the draft has new, and makes it a design. Fails like an edit.

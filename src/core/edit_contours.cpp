@@ -166,6 +166,8 @@ Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh) {
   remove_edge(draft.network, old);
   draft.network.edges.push_back(fresh);
   const int edge = int(draft.network.edges.size()) - 1;
+  for (Design_extremum& e : draft.extrema)
+    if (e.segment == old) e.segment = edge;
   const auto agrees = [&] {
     const Chart_signature now = left_of(draft, edge);
     return now.edges == left.edges && now.extremum == left.extremum;
@@ -273,6 +275,8 @@ Result<void> apply_edit(Draft& draft, const Move_contour& edit) {
     return make_error(Error_code::impossible_request, "a contour has no anchors, or two");
   if (edit.anchors.empty())
     return draft.is_free_loop(e) ? move_free_loop(draft, e, edit) : move_part(draft, e, edit);
+  if (sides[0] == sides[1])
+    return refuse("a segment has no anchors but its ends", {}, Element_kind::contour, e);
   Result<int> part = part_between(draft, e, edit.anchors, edit.at.point);
   if (!part) return part.error();
   // The parts are edges of their own now; the atlas has to know them before one of them moves.

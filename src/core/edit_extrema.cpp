@@ -203,11 +203,17 @@ Result<Region> cut_out(Draft& draft, const std::set<int>& charts, int inside) {
     if (sides[0] != sides[1] && charts.count(sides[0]) && charts.count(sides[1])) inner.push_back(int(e));
   }
   for (int e : inner) remove_edge(draft.network, e);
-  Result<Embedding> embedding = embed(draft.surface(), draft.network);
+  const std::vector<int> faces =
+      faces_of_charts(draft.surface(), atlas, std::vector<int>(charts.begin(), charts.end()));
+  const Result<Embedding> embedding = embed(draft.surface(), draft.network, faces);
   if (!embedding) return embedding.error();
+  const std::vector<Triangle>& triangles = embedding->surface.triangles;
+  const auto around = std::find_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return std::find(t.begin(), t.end(), inside) != t.end();
+  });
   Region region;
-  Result<Chart> chart = cut_region(*embedding, draft.network, draft.extremal_vertices(),
-                                   embedding->surface.outgoing[inside] / 3);
+  Result<Chart> chart =
+      cut_region(*embedding, draft.network, draft.extremal_vertices(), int(around - triangles.begin()));
   if (!chart)
     return refuse("the regions between the contours would not all be charts", chart.error().message);
   region.chart = std::move(*chart);

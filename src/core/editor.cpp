@@ -18,6 +18,17 @@ int Design::index_of(int id) const {
   return -1;
 }
 
+Embedded_design embed_design(const Triangle_surface& surface, const Design& design) {
+  Embedded_design result;
+  Result<Embedding> embedding = embed(surface, design.network);
+  CGAL_assertion(bool(embedding));
+  Result<Atlas> atlas = build_atlas(*embedding, design.network, {}, &design.atlas);
+  CGAL_assertion(bool(atlas));
+  result.embedding = std::move(*embedding);
+  result.chart_of_face = std::move(atlas->chart_of_face);
+  return result;
+}
+
 namespace {
 
 // What became of charts, contours and counts between two designs.
@@ -109,7 +120,6 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
   first.network.surface_vertices = editor->working.number_of_vertices();
   first.target_quads = options.edge_length > 0 ? 0 : options.quads;
   first.edge_length = h;
-  first.embedding = std::make_shared<const Embedding>();
   editor->states.push_back(std::make_shared<const Design>(std::move(first)));
   return Editor(std::move(editor));
 }
@@ -190,7 +200,7 @@ Stitched_mesh Editor::quads() const {
   if (d.charts.empty()) return {};
   std::vector<const Placed_texture*> textures;
   for (const auto& chart : d.charts) textures.push_back(&chart->texture);
-  return stitch(*d.embedding, d.network, d.atlas, d.samples, textures);
+  return stitch(network_points(working_surface(), d.network), d.network, d.atlas, d.samples, textures);
 }
 
 Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, const Snap_options& features,

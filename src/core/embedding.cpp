@@ -113,12 +113,27 @@ bool cut_along_chords(const Border& border, const Chord* first, const Chord* las
 class Embedder {
 public:
   Embedder(const Triangle_surface& surface, const Contour_network& network)
-      : m_surface(surface), m_network(network) {}
+      : m_surface(surface), m_network(network) {
+    m_result.surface = m_surface;
+    for (int f = 0; f < m_surface.number_of_faces(); ++f) m_result.base_face.push_back(f);
+    m_local = m_result.base_face;
+  }
+
+  Embedder(const Triangle_surface& surface, const Contour_network& network, const std::vector<int>& faces)
+      : m_surface(surface), m_network(network), m_local(surface.number_of_faces(), -1) {
+    Triangle_surface& s = m_result.surface;
+    s.points.reserve(m_surface.points.size() + m_network.crossings.size());
+    s.points = m_surface.points;
+    m_result.base_face = faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) m_local[faces[i]] = int(i);
+    s.outgoing.assign(s.points.size(), -1);
+    for (int f : faces) {
+      s.triangles.push_back(m_surface.triangles[f]);
+      for (int h = 3 * f; h < 3 * f + 3; ++h) s.opposite.push_back(local(m_surface.opposite[h]));
+    }
+  }
 
   Result<Embedding> run() {
-    m_result.surface = m_surface;
-    m_result.base_face.resize(m_surface.number_of_faces());
-    for (int f = 0; f < m_surface.number_of_faces(); ++f) m_result.base_face[f] = f;
     for (int c = 0; c < int(m_network.crossings.size()); ++c)
       m_result.surface.points.push_back(m_network.position(m_surface, m_network.surface_vertices + c));
     m_result.surface.outgoing.resize(m_result.surface.points.size(), -1);
@@ -131,24 +146,30 @@ public:
   }
 
 private:
+  // The halfedge of the result that a halfedge of the surface is, before faces are cut; -1 outside.
+  int local(int h) const { return h < 0 || m_local[h / 3] < 0 ? -1 : 3 * m_local[h / 3] + h % 3; }
+
   void sort_crossings() {
-    for (int c = 0; c < int(m_network.crossings.size()); ++c)
-      if (m_network.crossings[c].halfedge >= 0) m_by_edge.push_back(c);
+    for (int c = 0; c < int(m_network.crossings.size()); ++c) {
+      const int h = m_network.crossings[c].halfedge;
+      if (h >= 0 && (local(h) >= 0 || local(m_surface.opposite[h]) >= 0)) m_by_edge.push_back(c);
+    }
     std::sort(m_by_edge.begin(), m_by_edge.end(), [&](int a, int b) {
       const Edge_crossing &x = m_network.crossings[a], &y = m_network.crossings[b];
       return x.halfedge != y.halfedge ? x.halfedge < y.halfedge : x.t < y.t;
     });
     for (int c : m_by_edge) {
       const int h = m_network.crossings[c].halfedge;
-      m_cut_faces.push_back(h / 3);
-      if (m_surface.opposite[h] >= 0) m_cut_faces.push_back(m_surface.opposite[h] / 3);
+      if (local(h) >= 0) m_cut_faces.push_back(h / 3);
+      if (local(m_surface.opposite[h]) >= 0) m_cut_faces.push_back(m_surface.opposite[h] / 3);
     }
   }
 
   void collect_chords() {
     for (const Contour_edge& edge : m_network.edges)
       for (std::size_t i = 0; i < edge.faces.size(); ++i)
-        if (edge.faces[i] >= 0) m_chords.push_back({edge.faces[i], edge.vertices[i], edge.vertices[i + 1]});
+        if (edge.faces[i] >= 0 && m_local[edge.faces[i]] >= 0)
+          m_chords.push_back({edge.faces[i], edge.vertices[i], edge.vertices[i + 1]});
     std::stable_sort(m_chords.begin(), m_chords.end(),
                      [](const Chord& a, const Chord& b) { return a.face < b.face; });
     for (const Chord& chord : m_chords) m_cut_faces.push_back(chord.face);
@@ -195,8 +216,8 @@ private:
       if (!good)
         return make_error(Error_code::internal_error, "contours cross inside a face", Element_kind::face, f);
       chord = last;
-      m_piece_faces.push_back(f);
-      s.triangles[f] = pieces[0];
+      m_piece_faces.push_back(m_local[f]);
+      s.triangles[m_local[f]] = pieces[0];
       for (std::size_t i = 1; i < pieces.size(); ++i) {
         m_piece_faces.push_back(s.number_of_faces());
         s.triangles.push_back(pieces[i]);
@@ -206,14 +227,13 @@ private:
     return {};
   }
 
-  // Only the pieces' halfedges are new; one that is alone among them lies on an edge without crossings.
+  // Only the pieces' halfedges are new; one that is alone among them lies on an edge without crossings, or where the result ends.
   void connect_pieces() {
     Triangle_surface& s = m_result.surface;
     s.opposite.resize(s.number_of_halfedges(), -1);
-    std::vector<std::pair<std::pair<int, int>, int>> halfedges;
+    std::vector<std::pair<Ends, int>>& halfedges = m_piece_halfedges;
     for (int f : m_piece_faces)
-      for (int h = 3 * f; h < 3 * f + 3; ++h)
-        halfedges.push_back({{std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h))}, h});
+      for (int h = 3 * f; h < 3 * f + 3; ++h) halfedges.push_back({ends(s.source(h), s.target(h)), h});
     std::sort(halfedges.begin(), halfedges.end());
     for (std::size_t i = 0; i < halfedges.size(); ++i) {
       const int h = halfedges[i].second;
@@ -226,8 +246,11 @@ private:
       const Triangle& base = m_surface.triangles[m_result.base_face[h / 3]];
       int side = 0;
       while (side < 3 && !(base[side] == s.source(h) && base[(side + 1) % 3] == s.target(h))) ++side;
-      CGAL_assertion(side < 3);
-      const int o = m_surface.opposite[3 * m_result.base_face[h / 3] + side];
+      if (side == 3) { // part of an edge where the given faces end
+        s.opposite[h] = -1;
+        continue;
+      }
+      const int o = local(m_surface.opposite[3 * m_result.base_face[h / 3] + side]);
       s.opposite[h] = o;
       if (o >= 0) s.opposite[o] = h;
     }
@@ -241,49 +264,72 @@ private:
   Result<void> label_walls() {
     Triangle_surface& s = m_result.surface;
     m_result.wall_of.assign(s.number_of_halfedges(), -1);
-    const auto label = [&](int h, int e, int k, bool forward) {
-      m_result.wall_of[h] = int(m_result.walls.size());
-      m_result.walls.push_back({e, k, forward});
-    };
+    const bool is_whole = int(m_local.size()) == int(m_result.base_face.size()) ||
+                          std::find(m_local.begin(), m_local.end(), -1) == m_local.end();
     for (int e = 0; e < int(m_network.edges.size()); ++e) {
       const std::vector<int>& v = m_network.edges[e].vertices;
       for (int k = 0; k + 1 < int(v.size()); ++k) {
-        const int h = find_halfedge(v[k], v[k + 1]),
-                  g = h >= 0 ? s.opposite[h] : find_halfedge(v[k + 1], v[k]);
-        if (h < 0 && g < 0)
+        const std::array<int, 2> found = find_halfedges(v[k], v[k + 1]);
+        if (is_whole && found[0] < 0 && found[1] < 0)
           return make_error(Error_code::internal_error, "a contour leaves the surface", Element_kind::contour,
                             e);
-        if (h >= 0) label(h, e, k, true);
-        if (g >= 0) label(g, e, k, false);
+        for (int h : found)
+          if (h >= 0) {
+            m_result.wall_of[h] = int(m_result.walls.size());
+            m_result.walls.push_back({e, k, s.source(h) == v[k]});
+          }
       }
     }
     return {};
   }
 
-  int find_halfedge(int from, int to) const {
-    const Triangle_surface& s = m_result.surface;
-    int h = s.outgoing[from];
-    const int first = h;
+  using Ends = std::pair<int, int>;
+  static Ends ends(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+  // The two halfedges between two vertices: of pieces, or along an edge between whole faces.
+  std::array<int, 2> find_halfedges(int a, int b) const {
+    std::array<int, 2> found{{-1, -1}};
+    const std::pair<Ends, int> first{ends(a, b), -1};
+    auto piece = std::lower_bound(m_piece_halfedges.begin(), m_piece_halfedges.end(), first);
+    for (int i = 0; i < 2 && piece != m_piece_halfedges.end() && piece->first == first.first; ++i, ++piece)
+      found[i] = piece->second;
+    if (found[0] >= 0) {
+      if (found[1] < 0) found[1] = m_result.surface.opposite[found[0]];
+      return found;
+    }
+    if (m_network.is_crossing(a) || m_network.is_crossing(b)) return found;
+    const int start = m_surface.outgoing[a];
+    int h = start;
     do {
-      if (s.target(h) == to) return h;
-      h = s.rotate_ccw(h);
-    } while (h >= 0 && h != first);
-    return -1;
+      const int back = Triangle_surface::previous(h);
+      if (m_surface.target(h) == b) return {local(h), local(m_surface.opposite[h])};
+      if (m_surface.source(back) == b) return {local(back), local(m_surface.opposite[back])};
+      h = m_surface.rotate_ccw(h);
+    } while (h >= 0 && h != start);
+    return found;
   }
 
   const Triangle_surface& m_surface;
   const Contour_network& m_network;
   Embedding m_result;
-  std::vector<int> m_by_edge;     // crossings sorted by (edge, t)
-  std::vector<int> m_cut_faces;   // sorted
-  std::vector<int> m_piece_faces; // faces of the result that are pieces
-  std::vector<Chord> m_chords;    // sorted by face
+  std::vector<int> m_local; // face of the result that a face of the surface is, before it is cut; or -1
+  std::vector<std::pair<Ends, int>> m_piece_halfedges; // sorted
+  std::vector<int> m_by_edge;                          // crossings sorted by (edge, t)
+  std::vector<int> m_cut_faces;                        // sorted
+  std::vector<int> m_piece_faces;                      // faces of the result that are pieces
+  std::vector<Chord> m_chords;                         // sorted by face
 };
 
 } // namespace
 
 Result<Embedding> embed(const Triangle_surface& surface, const Contour_network& network) {
   return Embedder(surface, network).run();
+}
+
+Result<Embedding> embed(const Triangle_surface& surface, const Contour_network& network,
+                        const std::vector<int>& faces) {
+  CGAL_precondition(std::is_sorted(faces.begin(), faces.end()));
+  return Embedder(surface, network, faces).run();
 }
 
 } // namespace Reeb_quadrangulation

@@ -390,7 +390,7 @@ private:
   Result<void> sample() {
     if (Result<void> sampled = solve_sampling(); !sampled) return sampled;
     const Reeb_layout& layout = m_result.layout;
-    m_samples.parameter = contour_parameters(layout.embedding, layout.network, layout.atlas,
+    m_samples.parameter = contour_parameters(layout.embedding.surface.points, layout.network, layout.atlas,
                                              internal::pointers_to(m_maps), m_options.sample_blend);
     return {};
   }
@@ -416,8 +416,8 @@ private:
 
   Result<void> join() {
     const Reeb_layout& layout = m_result.layout;
-    Stitched_mesh stitched =
-        stitch(layout.embedding, layout.network, layout.atlas, m_samples, internal::pointers_to(m_textures));
+    Stitched_mesh stitched = stitch(layout.embedding.surface.points, layout.network, layout.atlas, m_samples,
+                                    internal::pointers_to(m_textures));
     m_result.mesh = std::move(stitched.mesh);
     m_result.valences = std::move(stitched.valences);
     m_result.chart_of_quad = std::move(stitched.chart_of_quad);

@@ -28,12 +28,10 @@ void normalise(std::vector<double>& x) {
   x.back() = 1;
 }
 
-std::vector<double> arc_lengths(const Embedding& embedding, const Contour_edge& edge) {
+std::vector<double> arc_lengths(const std::vector<Point>& points, const Contour_edge& edge) {
   std::vector<double> s{0.0};
   for (std::size_t i = 1; i < edge.vertices.size(); ++i)
-    s.push_back(
-        s.back() +
-        (embedding.surface.points[edge.vertices[i]] - embedding.surface.points[edge.vertices[i - 1]]).norm());
+    s.push_back(s.back() + (points[edge.vertices[i]] - points[edge.vertices[i - 1]]).norm());
   if (!(s.back() > 0) || !strictly_increasing(s))
     for (std::size_t i = 0; i < s.size(); ++i)
       s[i] = double(i); // all points coincide: only the order is left
@@ -47,7 +45,7 @@ int end_of(const Walk& walk, std::size_t i) {
 
 } // namespace
 
-std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
+std::vector<std::vector<double>> contour_parameters(const std::vector<Point>& points,
                                                     const Contour_network& network, const Atlas& atlas,
                                                     const std::vector<const Chart_parameterization*>& maps,
                                                     double blend, std::vector<std::vector<double>> known) {
@@ -78,7 +76,7 @@ std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
   for (std::size_t e = 0; e < n; ++e) {
     if (network.is_removed(network.edges[e])) parameter[e].clear();
     if (network.is_removed(network.edges[e]) || !parameter[e].empty()) continue;
-    parameter[e] = arc_lengths(embedding, network.edges[e]);
+    parameter[e] = arc_lengths(points, network.edges[e]);
     if (sides[e] == 0) continue;
     std::vector<double> blended(parameter[e].size());
     for (std::size_t k = 0; k < blended.size(); ++k)

@@ -84,10 +84,10 @@ Meetings meet(const std::vector<Stop>& a, const std::vector<Stop>& b) {
 // Global vertices: nodes, then those on each contour edge, then the inner vertices of each texture.
 class Stitcher {
 public:
-  Stitcher(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+  Stitcher(const std::vector<Point>& points, const Contour_network& network, const Atlas& atlas,
            const Contour_samples& samples, const std::vector<const Placed_texture*>& textures)
-      : m_embedding(embedding), m_network(network), m_atlas(atlas), m_samples(samples), m_textures(textures) {
-  }
+      : m_network_points(points), m_network(network), m_atlas(atlas), m_samples(samples),
+        m_textures(textures) {}
 
   Result<Stitched_mesh> run(const T_junction_options& options) {
     add_nodes();
@@ -119,7 +119,7 @@ private:
       if (!m_network.is_removed(e)) used[e.from] = used[e.to] = 1;
     for (std::size_t i = 0; i < used.size(); ++i) {
       m_out.node_vertex.push_back(used[i] ? int(m_out.mesh.points.size()) : -1);
-      if (used[i]) m_out.mesh.points.push_back(m_embedding.surface.points[m_network.nodes[i].vertex]);
+      if (used[i]) m_out.mesh.points.push_back(m_network_points[m_network.nodes[i].vertex]);
     }
   }
 
@@ -217,7 +217,7 @@ private:
     const std::size_t last = p.size() - 2;
     const std::size_t i = std::min(last, std::size_t(std::max<std::ptrdiff_t>(
                                              0, std::lower_bound(p.begin(), p.end(), at) - p.begin() - 1)));
-    const Point &a = m_embedding.surface.points[v[i]], &b = m_embedding.surface.points[v[i + 1]];
+    const Point &a = m_network_points[v[i]], &b = m_network_points[v[i + 1]];
     m_out.mesh.points.push_back(a + (at - p[i]) / (p[i + 1] - p[i]) * (b - a));
     return int(m_out.mesh.points.size()) - 1;
   }
@@ -356,7 +356,7 @@ private:
     std::vector<Stop> stops;
   };
 
-  const Embedding& m_embedding;
+  const std::vector<Point>& m_network_points;
   const Contour_network& m_network;
   const Atlas& m_atlas;
   const Contour_samples& m_samples;
@@ -374,16 +374,16 @@ private:
 
 } // namespace
 
-Result<Stitched_mesh> stitch_textures(const Embedding& embedding, const Contour_network& network,
+Result<Stitched_mesh> stitch_textures(const std::vector<Point>& points, const Contour_network& network,
                                       const Atlas& atlas, const Contour_samples& samples,
                                       const std::vector<const Placed_texture*>& textures,
                                       const T_junction_options& options) {
-  return Stitcher(embedding, network, atlas, samples, textures).run(options);
+  return Stitcher(points, network, atlas, samples, textures).run(options);
 }
 
-Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+Stitched_mesh stitch(const std::vector<Point>& points, const Contour_network& network, const Atlas& atlas,
                      const Contour_samples& samples, const std::vector<const Placed_texture*>& textures) {
-  Result<Stitched_mesh> stitched = stitch_textures(embedding, network, atlas, samples, textures);
+  Result<Stitched_mesh> stitched = stitch_textures(points, network, atlas, samples, textures);
   CGAL_precondition(bool(stitched) && stitched->t_junctions == 0);
   return std::move(*stitched);
 }

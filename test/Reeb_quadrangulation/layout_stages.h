@@ -100,8 +100,8 @@ inline Result<void> fill(Stages& run, int quads) {
   for (std::size_t i = 0; i < problem.edges.size(); ++i)
     run.sampling.counts[problem.edges[i]] = sampling->counts[i];
   run.samples.counts = run.sampling.counts;
-  run.samples.parameter = contour_parameters(run.layout.embedding, run.layout.network, run.layout.atlas,
-                                             internal::pointers_to(run.maps), 0.5);
+  run.samples.parameter = contour_parameters(run.layout.embedding.surface.points, run.layout.network,
+                                             run.layout.atlas, internal::pointers_to(run.maps), 0.5);
   run.textures.clear();
   run.flipped = run.folds = 0;
   for (std::size_t c = 0; c < run.maps.size(); ++c) {
@@ -115,8 +115,8 @@ inline Result<void> fill(Stages& run, int quads) {
     run.flipped += run.maps[c].flipped(chart);
     run.folds += folds(chart, run.maps[c]);
   }
-  run.stitched = stitch(run.layout.embedding, run.layout.network, run.layout.atlas, run.samples,
-                        internal::pointers_to(run.textures));
+  run.stitched = stitch(run.layout.embedding.surface.points, run.layout.network, run.layout.atlas,
+                        run.samples, internal::pointers_to(run.textures));
   return {};
 }
 

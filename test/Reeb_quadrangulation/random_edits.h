@@ -95,7 +95,7 @@ private:
       if (!d.network.is_removed(d.network.edges[e])) alive.push_back(int(e));
     if (alive.empty()) return vertex();
     const std::vector<int>& v = d.network.edges[alive[m_random.below(int(alive.size()))]].vertices;
-    return {d.embedding->surface.points[v[m_random.below(int(v.size()))]], -1};
+    return {d.network.position(m_editor.working_surface(), v[m_random.below(int(v.size()))]), -1};
   }
   Surface_point saddle() {
     const Design& d = m_editor.design();

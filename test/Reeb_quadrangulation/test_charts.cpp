@@ -238,7 +238,7 @@ TEST_CASE("a regular texture of an annulus has its rows and columns, of a disc i
 TEST_CASE("every contour edge is sampled by one increasing parameter, whatever the blend") {
   for (const Named_run& r : runs())
     for (const double blend : {0.0, 0.5, 1.0}) {
-      const auto parameter = contour_parameters(r.run.layout.embedding, r.run.layout.network,
+      const auto parameter = contour_parameters(r.run.layout.embedding.surface.points, r.run.layout.network,
                                                 r.run.layout.atlas, internal::pointers_to(r.run.maps), blend);
       REQUIRE(parameter.size() == r.run.layout.network.edges.size());
       for (std::size_t e = 0; e < parameter.size(); ++e) {

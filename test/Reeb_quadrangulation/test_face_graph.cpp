@@ -546,8 +546,8 @@ TEST_CASE("one chart is filled by the textures of a traits class") {
   samples.counts.assign(layout.network.edges.size(), 0);
   for (std::size_t i = 0; i < problem.edges.size(); ++i)
     samples.counts[problem.edges[i]] = sampling->counts[i];
-  samples.parameter =
-      contour_parameters(layout.embedding, layout.network, layout.atlas, internal::pointers_to(maps), 0.5);
+  samples.parameter = contour_parameters(layout.embedding.surface.points, layout.network, layout.atlas,
+                                         internal::pointers_to(maps), 0.5);
   for (std::size_t c = 0; c < maps.size(); ++c) {
     const Chart& chart = *layout.atlas.charts[c];
     const auto placed =

@@ -45,8 +45,8 @@ const std::vector<Named_run>& runs() {
 
 Result<Stitched_mesh> joined(const stages::Stages& run, const std::vector<Placed_texture>& textures,
                              const T_junction_options& options = {}) {
-  return stitch_textures(run.layout.embedding, run.layout.network, run.layout.atlas, run.samples,
-                         internal::pointers_to(textures), options);
+  return stitch_textures(run.layout.embedding.surface.points, run.layout.network, run.layout.atlas,
+                         run.samples, internal::pointers_to(textures), options);
 }
 
 Result<Placed_texture> edited(const stages::Stages& run, const std::vector<Placed_texture>& textures, int c,

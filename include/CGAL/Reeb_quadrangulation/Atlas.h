@@ -46,13 +46,24 @@ struct Chart {
   const Walk& walk(Side side) const { return walks.size() > 1 && side == Side::high ? walks[1] : walks[0]; }
 };
 
-/// The charts, ordered by their smallest face. They are values that never change, so that states of a design share them.
+/// The charts, ordered by their smallest original face (then by their contours). They are values that never change, so that states of a design share them.
 struct Atlas {
   std::vector<std::shared_ptr<const Chart>> charts;
-  std::vector<int> chart_of_face; ///< of the embedding
+  std::vector<int> chart_of_face; ///< of the embedding; empty after `update_atlas()`
   std::vector<std::array<int, 2>>
       charts_of_edge; ///< per contour edge: left and right chart; -1 outside the surface
 };
+
+/// The atlas after contours have changed: the charts of `previous` in `changed` (indices) are cut anew, the others stay. Costs what
+/// these charts cost, and gives what `build_atlas()` gives. Fails like it, and like `embed()`. \pre Contours were removed and added
+/// only where both sides are among `changed`.
+Result<Atlas> update_atlas(const Triangle_surface& surface, const Contour_network& network,
+                           const std::vector<int>& extrema, const Atlas& previous,
+                           const std::vector<int>& changed, std::vector<int>* reused = nullptr);
+
+/// The faces of the surface that some charts have a part of, in increasing order. O(F) bits and O(faces of the charts).
+std::vector<int> faces_of_charts(const Triangle_surface& surface, const Atlas& atlas,
+                                 const std::vector<int>& charts);
 
 /// The union of the faces that can be reached from `face` (of the embedding) without crossing a contour, as a mesh of its own, of
 /// any topology. O(F). Fails with `internal_error` if a border runs along both sides of contours.

@@ -59,6 +59,9 @@ struct Contour_network {
   Point position(const Triangle_surface& surface, int vertex) const;
 };
 
+/// The points of all network vertices, by their numbers. O(V + crossings)
+std::vector<Point> network_points(const Triangle_surface& surface, const Contour_network& network);
+
 /// Removes a contour edge and its crossings. Its nodes stay.
 void remove_edge(Contour_network& network, int edge);
 

@@ -62,12 +62,21 @@ struct Design {
   double edge_length = 0; ///< of the quads, as the counts have been chosen for
   int next_chart = 0;     ///< the identity that the next chart gets
   std::vector<std::shared_ptr<const Design_chart>> charts; ///< parallel to the atlas's
-  Atlas atlas;
-  std::shared_ptr<const Embedding> embedding;
+  Atlas atlas;                                             ///< without `chart_of_face`; see `embed_design()`
 
   /// The index of the chart with an identity, or -1.
   int index_of(int id) const;
 };
+
+/// A design's contours as edges of the surface: what pictures need. It is made when it is asked for, since it is as large as the
+/// surface.
+struct Embedded_design {
+  Embedding embedding;
+  std::vector<int> chart_of_face; ///< of the embedding: index into `Design::charts`
+};
+
+/// O(F). \pre `surface` is the one that the design lives on.
+Embedded_design embed_design(const Triangle_surface& surface, const Design& design);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

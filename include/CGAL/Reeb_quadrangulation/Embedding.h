@@ -32,6 +32,12 @@ struct Embedding {
 /// edge. Fails with `internal_error`, naming the face, if two contours cross; nothing else can go wrong.
 Result<Embedding> embed(const Triangle_surface& surface, const Contour_network& network);
 
+/// The same for some faces of the surface only, in increasing order: O(V) to copy the points, the rest O(faces given). Faces of the
+/// result `0 .. n-1` are those given, or pieces of them; where they end the result has a boundary without walls, and `outgoing` is
+/// not to be used.
+Result<Embedding> embed(const Triangle_surface& surface, const Contour_network& network,
+                        const std::vector<int>& faces);
+
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
 

@@ -19,10 +19,10 @@ struct Contour_samples {
       parameter; ///< per contour edge: of each polyline vertex, strictly from 0 to 1
 };
 
-/// The shared parameter of each contour edge: arc length, blended by `blend` in [0, 1] with the mean of the natural V of the
+/// The shared parameter of each contour edge (`points` are those of the network's vertices): arc length, blended by `blend` in [0, 1] with the mean of the natural V of the
 /// annuli on its sides, where they are strictly monotone. Independent of the counts. Edges with an entry in `known` keep it, so
 /// that an edit on one side of a contour leaves the samples of the other side where they are.
-std::vector<std::vector<double>> contour_parameters(const Embedding& embedding,
+std::vector<std::vector<double>> contour_parameters(const std::vector<Point>& points,
                                                     const Contour_network& network, const Atlas& atlas,
                                                     const std::vector<const Chart_parameterization*>& maps,
                                                     double blend,
@@ -82,13 +82,13 @@ struct Stitched_mesh {
 /// `resolve_t_junctions()` takes away in the coarser chart. Quads that are holes are left out at the end. Fails with
 /// `refused_edit` where a side has no vertex at a node or the quads at a vertex are not one fan because of holes, and as
 /// `resolve_t_junctions()` does.
-Result<Stitched_mesh> stitch_textures(const Embedding& embedding, const Contour_network& network,
+Result<Stitched_mesh> stitch_textures(const std::vector<Point>& points, const Contour_network& network,
                                       const Atlas& atlas, const Contour_samples& samples,
                                       const std::vector<const Placed_texture*>& textures,
                                       const T_junction_options& options = {});
 
 /// Joins the placed textures by identity of their samples. \pre The textures' sides have the samples' numbers.
-Stitched_mesh stitch(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
+Stitched_mesh stitch(const std::vector<Point>& points, const Contour_network& network, const Atlas& atlas,
                      const Contour_samples& samples, const std::vector<const Placed_texture*>& textures);
 
 } // namespace Reeb_quadrangulation

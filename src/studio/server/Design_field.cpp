@@ -40,8 +40,8 @@ std::vector<double> edge_distances(const Triangle_surface& mesh, const std::vect
 
 class Field {
 public:
-  explicit Field(const Design& design)
-      : m_design(design), m_values(design.embedding->surface.points.size(), 0.5) {}
+  Field(const Design& design, const Embedding& embedding)
+      : m_design(design), m_values(embedding.surface.points.size(), 0.5) {}
 
   std::vector<double> values() {
     for (const auto& chart : m_design.charts) {
@@ -97,8 +97,8 @@ private:
 
 } // namespace
 
-std::vector<double> design_field(const Design& design) {
-  return Field(design).values();
+std::vector<double> design_field(const Design& design, const Embedding& embedding) {
+  return Field(design, embedding).values();
 }
 
 } // namespace studio

@@ -30,8 +30,8 @@ Frame field_frame(const std::vector<double>& values) {
 Frame charts_frame(const Layer_source& source) {
   Frame frame("charts");
   std::vector<std::int32_t> charts;
-  charts.reserve(source.design->atlas.chart_of_face.size());
-  for (const int chart : source.design->atlas.chart_of_face)
+  charts.reserve(source.embedded->chart_of_face.size());
+  for (const int chart : source.embedded->chart_of_face)
     charts.push_back(chart < 0 ? -1 : (*source.chart_ids)[chart]);
   frame.add("chart", charts);
   return frame;
@@ -59,7 +59,7 @@ Frame contours_frame(const Layer_source& source) {
   for (std::size_t e = 0; e < network.edges.size(); ++e) {
     const Contour_edge& edge = network.edges[e];
     if (network.is_removed(edge)) continue;
-    for (const int v : edge.vertices) points.push_back(source.design->embedding->surface.points[v]);
+    for (const int v : edge.vertices) points.push_back(source.embedded->embedding.surface.points[v]);
     begin.push_back(std::uint32_t(points.size()));
     edges.push_back(int(e));
     counts.push_back(e < known_counts.size() ? known_counts[e] : 0);
@@ -78,7 +78,7 @@ Frame contours_frame(const Layer_source& source) {
 /// Minima, saddles and maxima: kinds 0, 1 and 2. Fractional saddles are 3 (half) and 4 (quarter).
 Frame critical_frame(const Layer_source& source) {
   Frame frame("critical");
-  const std::vector<Point>& all = source.design->embedding->surface.points;
+  const std::vector<Point>& all = source.embedded->embedding.surface.points;
   const Contour_network& network = source.design->network;
   std::vector<Point> points;
   std::vector<std::int32_t> vertices;
@@ -109,8 +109,7 @@ Frame critical_frame(const Layer_source& source) {
 
 Frame reeb_frame(const Layer_source& source) {
   const Design& design = *source.design;
-  const Skeleton drawn =
-      skeleton(*design.embedding, design.network, design.atlas, *source.graph, *source.values);
+  const Skeleton drawn = skeleton(*source.embedded, design.network, *source.graph, *source.values);
   Frame frame("reeb");
   std::vector<Point> points;
   std::vector<std::uint32_t> begin{0};
@@ -186,7 +185,7 @@ Frame quads_frame(const Layer_source& source) {
 Layers make_layers(const Layer_source& source) {
   Layers layers;
   if (source.design) {
-    layers["surface"] = surface_frame(source.design->embedding->surface, source.origin).encode();
+    layers["surface"] = surface_frame(source.embedded->embedding.surface, source.origin).encode();
     layers["field"] = field_frame(*source.values).encode();
     layers["charts"] = charts_frame(source).encode();
     layers["contours"] = contours_frame(source).encode();

@@ -20,7 +20,8 @@ struct Layer_source {
   CGAL::Reeb_quadrangulation::Point origin =
       CGAL::Reeb_quadrangulation::Point::Zero(); ///< subtracted from all points
 
-  const CGAL::Reeb_quadrangulation::Design* design = nullptr; ///< this and the next three go together
+  const CGAL::Reeb_quadrangulation::Design* design = nullptr; ///< this and the next four go together
+  const CGAL::Reeb_quadrangulation::Embedded_design* embedded = nullptr;
   const CGAL::Reeb_quadrangulation::Reeb_graph* graph = nullptr;
   const std::vector<double>* values = nullptr; ///< the field at the vertices of the embedded surface
   const std::vector<int>* chart_ids = nullptr; ///< the identity of each chart of the atlas

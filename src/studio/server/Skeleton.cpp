@@ -20,20 +20,20 @@ struct Bands {
   std::vector<double> area = std::vector<double>(bands, 0);
 };
 
-std::vector<Bands> measure(const Embedding& embedding, const Atlas& atlas,
+std::vector<Bands> measure(const Embedded_design& embedded, std::size_t number_of_charts,
                            const std::vector<double>& values) {
-  const Triangle_surface& surface = embedding.surface;
-  std::vector<Bands> charts(atlas.charts.size());
+  const Triangle_surface& surface = embedded.embedding.surface;
+  std::vector<Bands> charts(number_of_charts);
   const auto mean = [&](const Triangle& t) { return (values[t[0]] + values[t[1]] + values[t[2]]) / 3; };
   for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int chart = atlas.chart_of_face[f];
+    const int chart = embedded.chart_of_face[f];
     if (chart < 0) continue;
     const double value = mean(surface.triangles[f]);
     charts[chart].low = std::min(charts[chart].low, value);
     charts[chart].high = std::max(charts[chart].high, value);
   }
   for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int chart = atlas.chart_of_face[f];
+    const int chart = embedded.chart_of_face[f];
     if (chart < 0) continue;
     Bands& b = charts[chart];
     const Triangle& t = surface.triangles[f];
@@ -68,24 +68,29 @@ std::vector<Point> node_positions(const Embedding& embedding, const Contour_netw
   for (int n = 0; n < graph.number_of_nodes(); ++n) {
     if (graph.extremum[n] >= 0)
       position[n] = points[graph.extremum[n]];
-    else if (number[n] > 0)
-      position[n] /= number[n];
+    else
+      position[n] /=
+          number[n]; // not a number for the inside of a rectangle, which has neither contour nor extremum
   }
   return position;
 }
 
 } // namespace
 
-Skeleton skeleton(const Embedding& embedding, const Contour_network& network, const Atlas& atlas,
-                  const Reeb_graph& graph, const std::vector<double>& values) {
+Skeleton skeleton(const Embedded_design& embedded, const Contour_network& network, const Reeb_graph& graph,
+                  const std::vector<double>& values) {
   Skeleton result;
-  result.nodes = node_positions(embedding, network, graph);
-  const std::vector<Bands> charts = measure(embedding, atlas, values);
+  result.nodes = node_positions(embedded.embedding, network, graph);
+  const std::vector<Bands> charts = measure(embedded, graph.arcs.size(), values);
   for (std::size_t c = 0; c < charts.size(); ++c) {
-    std::vector<Point> line{result.nodes[graph.arcs[c].low]};
+    std::vector<Point> line;
     for (int band = 0; band < bands; ++band)
       if (charts[c].area[band] > 0) line.push_back(charts[c].sum[band] / charts[c].area[band]);
-    line.push_back(result.nodes[graph.arcs[c].high]);
+    Point &low = result.nodes[graph.arcs[c].low], &high = result.nodes[graph.arcs[c].high];
+    if (!line.empty() && !low.allFinite()) low = line.front();
+    if (!line.empty() && !high.allFinite()) high = line.back();
+    line.insert(line.begin(), low);
+    line.push_back(high);
     smooth(line);
     result.arcs.push_back(std::move(line));
   }

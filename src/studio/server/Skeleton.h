@@ -2,7 +2,7 @@
 #ifndef REEBQUAD_STUDIO_SKELETON_H
 #define REEBQUAD_STUDIO_SKELETON_H
 
-#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/Design.h>
 
 #include <vector>
 
@@ -16,9 +16,8 @@ struct Skeleton {
 };
 
 /// `values` is the field on the embedded surface. O(size of the charts).
-Skeleton skeleton(const CGAL::Reeb_quadrangulation::Embedding& embedding,
+Skeleton skeleton(const CGAL::Reeb_quadrangulation::Embedded_design& embedded,
                   const CGAL::Reeb_quadrangulation::Contour_network& network,
-                  const CGAL::Reeb_quadrangulation::Atlas& atlas,
                   const CGAL::Reeb_quadrangulation::Reeb_graph& graph, const std::vector<double>& values);
 
 } // namespace studio

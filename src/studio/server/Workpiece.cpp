@@ -148,9 +148,11 @@ Layers Workpiece::layers() const {
   source.origin = m_origin;
   const Design& design = m_editor.design();
   if (design.charts.empty()) return make_layers(source);
-  Layer_parts parts{reeb_graph(design.atlas, design.network), design_field(design), {}};
+  const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
+  Layer_parts parts{reeb_graph(design.atlas, design.network), design_field(design, embedded.embedding), {}};
   for (const auto& chart : design.charts) parts.chart_ids.push_back(chart->id);
   source.design = &design;
+  source.embedded = &embedded;
   source.graph = &parts.graph;
   source.values = &parts.values;
   source.chart_ids = &parts.chart_ids;
