@@ -169,6 +169,7 @@ Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_
   Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
   if (!solved) return solved.error();
   field.values = std::move(solved->values);
+  field.elimination_order = harmonic.elimination_order();
   return {};
 }
 
@@ -265,12 +266,14 @@ private:
   // Prepares the maps of the charts that have none yet (`reused[c] < 0`).
   Result<void> prepare_maps(const std::vector<int>& reused) {
     const std::vector<std::shared_ptr<const Chart>>& charts = m_result.layout.atlas.charts;
+    const std::vector<std::vector<int>> orders =
+        elimination_orders(m_result.layout.atlas, m_result.field.elimination_order);
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
       if (reused[c] >= 0) return {};
+      Edge_weights weights = m_options.chart_weights ? m_options.chart_weights(*charts[c])
+                                                     : clamped_cotangent_weights(charts[c]->mesh);
       Result<Chart_parameterization> map =
-          m_options.chart_weights
-              ? Chart_parameterization::prepare(*charts[c], m_options.chart_weights(*charts[c]))
-              : Chart_parameterization::prepare(*charts[c]);
+          Chart_parameterization::prepare(*charts[c], std::move(weights), orders[c]);
       if (!map) return map.error();
       m_maps[c] = std::move(*map);
       return {};
