@@ -23,27 +23,6 @@ const contour = (kind) =>
     return found && found.points[found.points.length >> 1].toArray();
   }, kind);
 
-/** Looks at a point of the surface from outside, against its normal. */
-async function face(point, radii) {
-  const normal = await studio.page.evaluate(([x, y, z]) => {
-    const { surface } = window.studio.stage, t = surface.triangles;
-    const at = surface.vertex(0).clone().set(x, y, z);
-    let best = 0, nearest = Infinity;
-    for (let f = 0; f < t.length; f += 3) {
-      const d = surface.vertex(t[f]).distanceToSquared(at);
-      if (d < nearest) [nearest, best] = [d, f];
-    }
-    const a = surface.vertex(t[best]), b = surface.vertex(t[best + 1]), c = surface.vertex(t[best + 2]);
-    return b.sub(a).cross(c.sub(a)).normalize().toArray();
-  }, point);
-  await studio.lookAt(point, normal, radii);
-}
-
-async function clickOn(point, radii) {
-  await face(point, radii);
-  await studio.clickAt(point);
-}
-
 const history = async () => (await studio.state()).history.map((step) => step.edit.edit);
 
 test("a torus and its suggestion", async () => {
@@ -59,12 +38,8 @@ test("a torus and its suggestion", async () => {
 test("a chart is subdivided by a click", async () => {
   const charts = (await studio.state()).facts.charts.length;
   await studio.tool("subdivide");
-  const point = await studio.page.evaluate(() => {
-    const { store, stage } = window.studio;
-    const tube = store.get("state").facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
-    return stage.surface.insideOf(tube.id).toArray();
-  });
-  const state = await studio.after(() => clickOn(point));
+  const point = await studio.insideTallestTube();
+  const state = await studio.after(() => studio.clickOn(point));
   assert.equal(state.facts.charts.length, charts + 1);
   await studio.picture("subdivided");
 });
@@ -76,7 +51,7 @@ test("a contour is dragged, and one drag is one step", async () => {
     const c = window.studio.stage.contours.filter((c) => c.kind === "regular").sort((a, b) => b.points.length - a.points.length)[0];
     return c.points[c.points.length >> 1].toArray();
   });
-  await face(from);
+  await studio.face(from);
   const { x, y } = await studio.screen(from);
   await studio.after(async () => {
     await studio.page.mouse.move(x, y);
@@ -90,7 +65,7 @@ test("a contour is dragged, and one drag is one step", async () => {
 test("a contour is moved by the plane", async () => {
   await studio.tool("plane");
   const at = await contour("regular");
-  await clickOn(at);
+  await studio.clickOn(at);
   await studio.page.waitForSelector("#apply-plane:not([disabled])");
   await studio.picture("plane_widget");
   const steps = (await history()).length;
@@ -105,7 +80,7 @@ test("a contour is moved by the plane", async () => {
 
 test("an impossible place is red and says why, and applying it changes nothing", async () => {
   const at = await contour("regular");
-  await clickOn(at);
+  await studio.clickOn(at);
   await studio.page.waitForSelector("#apply-plane:not([disabled])");
   const { revision } = await studio.state();
   await studio.page.evaluate(() => window.studio.tools.current.turn(1.5));
@@ -120,7 +95,7 @@ test("an impossible place is red and says why, and applying it changes nothing",
 test("a saddle becomes two half-saddles", async () => {
   await studio.tool("saddle", "Halves");
   const [saddle] = await critical(1);
-  const state = await studio.after(() => clickOn(saddle, 0.5)); // from inside the hole
+  const state = await studio.after(() => studio.clickOn(saddle, 0.5)); // from inside the hole
   assert.equal((await critical(3)).length, 2);
   assert.equal(state.budget.interior["6"], 2);
   await studio.picture("half_saddles");
@@ -129,7 +104,7 @@ test("a saddle becomes two half-saddles", async () => {
 test("a pole becomes a seam", async () => {
   await studio.tool("pole", "Halves");
   const [maximum] = await critical(2);
-  const state = await studio.after(() => clickOn(maximum));
+  const state = await studio.after(() => studio.clickOn(maximum));
   assert.equal(state.budget.interior["2"], 2);
   await studio.view("quads");
   await studio.picture("half_pole");
@@ -177,10 +152,10 @@ test("the torus of figure 9 has no extraordinary vertex", async () => {
   });
   const extrema = [...(await critical(0)), ...(await critical(2))];
   await studio.tool("saddle", "Halves");
-  for (const saddle of await critical(1)) await studio.after(() => clickOn(saddle, 0.5));
+  for (const saddle of await critical(1)) await studio.after(() => studio.clickOn(saddle, 0.5));
   await studio.tool("saddle", "Make regular");
   let state;
-  for (const tip of extrema) state = await studio.after(() => clickOn(tip));
+  for (const tip of extrema) state = await studio.after(() => studio.clickOn(tip));
   assert.deepEqual(Object.keys(state.budget.interior), ["4"]);
   await studio.view("quads");
   await studio.lookAt([0, 0, 0], [0.3, 0.2, 1], 4);

@@ -123,6 +123,37 @@ export class Studio {
     }, [point, from, radii]);
     await this.settle();
   }
+  /** The surface's normal in the face nearest to a point. */
+  normalAt(point) {
+    return this.page.evaluate(([x, y, z]) => {
+      const { surface } = window.studio.stage, t = surface.triangles;
+      const at = surface.vertex(0).clone().set(x, y, z);
+      let best = 0, nearest = Infinity;
+      for (let f = 0; f < t.length; f += 3) {
+        const d = surface.vertex(t[f]).distanceToSquared(at);
+        if (d < nearest) [nearest, best] = [d, f];
+      }
+      const [a, b, c] = [0, 1, 2].map((k) => surface.vertex(t[best + k]));
+      return b.sub(a).cross(c.sub(a)).normalize().toArray();
+    }, point);
+  }
+  /** Looks at a point of the surface from outside. */
+  async face(point, radii) {
+    await this.lookAt(point, await this.normalAt(point), radii);
+  }
+  async clickOn(point, radii) {
+    await this.face(point, radii);
+    await this.clickAt(point);
+  }
+  /** A point inside the tallest tube. */
+  insideTallestTube() {
+    return this.page.evaluate(() => {
+      const { store, stage } = window.studio;
+      const { id } = store.get("state").facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
+      return stage.surface.insideOf(id).toArray();
+    });
+  }
+
   async clickAt(point) {
     const { x, y } = await this.screen(point);
     await this.page.mouse.move(x, y);

@@ -9,12 +9,6 @@ const take = async () => {
   await studio.picture(`studio_${String(++number).padStart(2, "0")}`);
 };
 const point = (find) => studio.page.evaluate(find);
-const tube = () =>
-  point(() => {
-    const { store, stage } = window.studio;
-    const { id } = store.get("state").facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
-    return stage.surface.insideOf(id).toArray();
-  });
 
 await take();
 await studio.upload(studio.shape("hand", 8000));
@@ -31,7 +25,7 @@ await take();
 await studio.view("quality");
 await take();
 await studio.tool("subdivide");
-const inside = await tube();
+const inside = await studio.insideTallestTube();
 await studio.lookAt(inside, [0.3, -0.5, 1], 2.2);
 await studio.after(() => studio.clickAt(inside));
 await take();
