@@ -3,6 +3,7 @@
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include "texture_edge_table.h"
+#include "texture_meetings.h"
 
 #include <CGAL/assertions.h>
 
@@ -18,68 +19,8 @@ int modulo(int a, int n) {
   return ((a % n) + n) % n;
 }
 
-// A side vertex of a chart on a contour edge: at a number of sample steps from the edge's beginning.
-struct Stop {
-  double at;
-  int vertex; ///< of the chart's texture
-};
-
-// Two lists of stops, in order; stops that meet, and stops that have no other (-1).
-using Meetings = std::vector<std::array<int, 2>>;
-
-// Lets every stop of the shorter of two lists meet one of the longer, so that the sum of their distances is least.
-Meetings meet_nearest(const std::vector<Stop>& a, int a0, int a1, const std::vector<Stop>& b, int b0,
-                      int b1) {
-  const bool swap = a1 - a0 > b1 - b0;
-  if (swap) {
-    Meetings out = meet_nearest(b, b0, b1, a, a0, a1);
-    for (std::array<int, 2>& m : out) std::swap(m[0], m[1]);
-    return out;
-  }
-  // cost[i][j]: of the first i of a among the first j of b.
-  const int p = a1 - a0, q = b1 - b0;
-  std::vector<std::vector<double>> cost(p + 1, std::vector<double>(q + 1, 0));
-  for (int i = 1; i <= p; ++i)
-    for (int j = i; j <= q - (p - i); ++j) {
-      const double both = cost[i - 1][j - 1] + std::abs(a[a0 + i - 1].at - b[b0 + j - 1].at);
-      cost[i][j] = j > i ? std::min(both, cost[i][j - 1]) : both;
-    }
-  Meetings out;
-  for (int i = p, j = q; j > 0; --j) {
-    const bool skip =
-        i == 0 ||
-        (j > i && cost[i][j - 1] <= cost[i - 1][j - 1] + std::abs(a[a0 + i - 1].at - b[b0 + j - 1].at));
-    out.push_back({skip ? -1 : a0 + --i, b0 + j - 1});
-  }
-  std::reverse(out.begin(), out.end());
-  return out;
-}
-
-// Stops in the same place meet; between them, the nearest.
-Meetings meet(const std::vector<Stop>& a, const std::vector<Stop>& b) {
-  Meetings out;
-  int a0 = 0, b0 = 0;
-  const auto flush = [&](int a1, int b1) {
-    const Meetings between = meet_nearest(a, a0, a1, b, b0, b1);
-    out.insert(out.end(), between.begin(), between.end());
-    a0 = a1;
-    b0 = b1;
-  };
-  for (int i = 0, j = 0; i < int(a.size()) && j < int(b.size());) {
-    if (a[i].at < b[j].at)
-      ++i;
-    else if (b[j].at < a[i].at)
-      ++j;
-    else {
-      flush(i, j);
-      out.push_back({i++, j++});
-      a0 = i;
-      b0 = j;
-    }
-  }
-  flush(int(a.size()), int(b.size()));
-  return out;
-}
+using internal::Meetings;
+using internal::Stop;
 
 // Global vertices: nodes, then those on each contour edge, then the inner vertices of each texture.
 class Stitcher {
@@ -176,7 +117,7 @@ private:
     const std::array<Edge_side, 2>& sides = m_stops[e];
     const bool boundary = sides[0].chart < 0 || sides[1].chart < 0;
     m_first_on_edge[e] = int(m_out.mesh.points.size());
-    const Meetings meetings = meet(sides[0].stops, sides[1].stops);
+    const Meetings meetings = internal::meet(sides[0].stops, sides[1].stops);
     // The larger list has the authority about places: then they increase.
     const int main = sides[0].stops.size() >= sides[1].stops.size() ? 0 : 1;
     for (const std::array<int, 2>& m : meetings) {
