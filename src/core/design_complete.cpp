@@ -117,12 +117,26 @@ private:
                                     ? sample_for_quads(layout.problem, m_draft.target_quads)
                                     : sample_layout(layout.problem, h, options);
     if (!sampling) return sampling.error();
+    if (Result<void> few = check_number(*sampling); !few) return few.error();
     m_design.edge_length = sampling->edge_length;
     m_design.samples.counts.assign(m_draft.network.edges.size(), 0);
     for (std::size_t i = 0; i < layout.edges.size(); ++i)
       m_design.samples.counts[layout.edges[i]] = sampling->counts[i];
     m_grid = sampling->grid;
     return {};
+  }
+
+  // Layouts in which one count forces others may need many more quads than the edge length asks for.
+  Result<void> check_number(const Sampling& sampling) const {
+    double area = 0;
+    for (int c = 0; c < number_of_charts(); ++c) {
+      const Triangle_surface& s = m_draft.chart(c).mesh;
+      for (const Triangle& t : s.triangles)
+        area += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
+    }
+    const double expected = area / (sampling.edge_length * sampling.edge_length);
+    if (double(sampling.quads) <= 1e4 + 30 * expected) return {};
+    return refuse("the counts would need too many quads", std::to_string(sampling.quads));
   }
 
   void add_wishes(Layout_sampling_problem& layout, Sampling_options& options) const {

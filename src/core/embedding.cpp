@@ -120,7 +120,8 @@ public:
   }
 
   Embedder(const Triangle_surface& surface, const Contour_network& network, const std::vector<int>& faces)
-      : m_surface(surface), m_network(network), m_local(surface.number_of_faces(), -1) {
+      : m_surface(surface), m_network(network), m_local(surface.number_of_faces(), -1),
+        m_is_whole(int(faces.size()) == surface.number_of_faces()) {
     Triangle_surface& s = m_result.surface;
     s.points.reserve(m_surface.points.size() + m_network.crossings.size());
     s.points = m_surface.points;
@@ -264,13 +265,11 @@ private:
   Result<void> label_walls() {
     Triangle_surface& s = m_result.surface;
     m_result.wall_of.assign(s.number_of_halfedges(), -1);
-    const bool is_whole = int(m_local.size()) == int(m_result.base_face.size()) ||
-                          std::find(m_local.begin(), m_local.end(), -1) == m_local.end();
     for (int e = 0; e < int(m_network.edges.size()); ++e) {
       const std::vector<int>& v = m_network.edges[e].vertices;
       for (int k = 0; k + 1 < int(v.size()); ++k) {
         const std::array<int, 2> found = find_halfedges(v[k], v[k + 1]);
-        if (is_whole && found[0] < 0 && found[1] < 0)
+        if (m_is_whole && found[0] < 0 && found[1] < 0)
           return make_error(Error_code::internal_error, "a contour leaves the surface", Element_kind::contour,
                             e);
         for (int h : found)
@@ -313,6 +312,7 @@ private:
   const Contour_network& m_network;
   Embedding m_result;
   std::vector<int> m_local; // face of the result that a face of the surface is, before it is cut; or -1
+  bool m_is_whole = true;   // no face is left out
   std::vector<std::pair<Ends, int>> m_piece_halfedges; // sorted
   std::vector<int> m_by_edge;                          // crossings sorted by (edge, t)
   std::vector<int> m_cut_faces;                        // sorted
