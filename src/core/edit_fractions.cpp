@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_steps.h"
+#include "plane_path.h"
 
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
 
@@ -286,8 +287,27 @@ Result<Contour_edge> path_around(Draft& draft, int c, Side side, int visit, doub
   return joined(std::move(halves[0]), halves[1]);
 }
 
-// A rectangle around the old saddle: its corners lie on the loops, its sides cut off the corners of the four sectors.
-Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split_saddle& edit) {
+// A path between two contour vertices in the plane through them that stands upright on the surface at `vertex` of it.
+Result<Contour_edge> upright_path(Draft& draft, int vertex, int from, int to) {
+  const Triangle_surface& surface = draft.surface();
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  const int first = surface.outgoing[vertex];
+  int h = first;
+  do {
+    const Triangle& t = surface.triangles[h / 3];
+    up += (surface.points[t[1]] - surface.points[t[0]]).cross(surface.points[t[2]] - surface.points[t[0]]);
+    h = surface.rotate_ccw(h);
+  } while (h >= 0 && h != first);
+  const Point a = draft.position(from), b = draft.position(to);
+  const Eigen::Vector3d normal = (b - a).cross(up);
+  if (!(normal.norm() > 0)) return refuse("there is no room for the corners on the saddle's contour");
+  return plane_path(surface, draft.network, from, to, Cutting_plane::at(a, normal), 0.5 * (a + b));
+}
+
+// A rectangle around the old saddle: its corners lie on the loops, its sides cut off the corners of the four sectors; straight ones
+// lie in planes, the others go around by way of a point across from the saddle.
+Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split_saddle& edit,
+                               bool straight) {
   if (!edit.points.empty() && edit.points.size() != 4)
     return make_error(Error_code::impossible_request, "quarter-saddles need four points, or none");
   const double size = usual_size(draft, edit.size), value = draft.network.edges[s.loops[0]].value;
@@ -319,7 +339,8 @@ Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split
     int visit = 0;
     for (const Walk_edge& e : draft.chart(c).walk(side).edges)
       if (e.edge == loop) visit = e.begin;
-    Result<Contour_edge> path = path_around(draft, c, side, visit, 0.7 * size, from, to);
+    Result<Contour_edge> path = straight ? upright_path(draft, s.vertex, from, to)
+                                         : path_around(draft, c, side, visit, 0.7 * size, from, to);
     if (!path) return path.error();
     sides.push_back({std::move(*path), {from, to}, branch});
     return draft.cut();
@@ -371,8 +392,13 @@ Result<void> apply_edit(Draft& draft, const Split_saddle& edit) {
   if (!(edit.size >= 0)) return make_error(Error_code::impossible_request, "a size is not negative");
   const Result<Simple_saddle> saddle = simple_saddle_at(draft, edit.at);
   if (!saddle) return saddle.error();
-  return edit.kind == Saddle_kind::half ? split_in_halves(draft, *saddle, edit)
-                                        : split_in_quarters(draft, *saddle, edit);
+  if (edit.kind == Saddle_kind::half) return split_in_halves(draft, *saddle, edit);
+  Draft trial = draft;
+  if (split_in_quarters(trial, *saddle, edit, true)) {
+    draft.take(std::move(trial));
+    return {};
+  }
+  return split_in_quarters(draft, *saddle, edit, false);
 }
 
 namespace {
