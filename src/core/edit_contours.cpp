@@ -402,6 +402,24 @@ std::vector<std::vector<int>> feature_loops(const Draft& draft, const std::set<i
   return loops;
 }
 
+// Turns a closed list of vertices so that it begins where it bends most: there the contour has a sample for certain.
+void begin_at_corner(const Triangle_surface& s, std::vector<int>& loop) {
+  const int n = int(loop.size());
+  int corner = 0;
+  double least = 2;
+  for (int i = 0; i < n; ++i) {
+    const Point& p = s.points[loop[i]];
+    const double straightness = (p - s.points[loop[(i + n - 1) % n]])
+                                    .normalized()
+                                    .dot((s.points[loop[(i + 1) % n]] - p).normalized());
+    if (straightness < least) {
+      least = straightness;
+      corner = i;
+    }
+  }
+  std::rotate(loop.begin(), loop.begin() + corner, loop.end());
+}
+
 } // namespace
 
 Result<void> apply_edit(Draft& draft, const Snap_contour& edit) {
@@ -410,8 +428,8 @@ Result<void> apply_edit(Draft& draft, const Snap_contour& edit) {
   if (!(edit.feature_angle > 0 && edit.feature_angle < 180))
     return make_error(Error_code::impossible_request, "the feature angle is between 0 and 180 degrees");
   const std::array<int, 2> sides = draft.atlas().charts_of_edge[*e];
-  const std::vector<std::vector<int>> loops =
-      feature_loops(draft, {sides[0], sides[1]}, *e, edit.feature_angle);
+  std::vector<std::vector<int>> loops = feature_loops(draft, {sides[0], sides[1]}, *e, edit.feature_angle);
+  for (std::vector<int>& loop : loops) begin_at_corner(draft.surface(), loop);
   const std::vector<int> old = draft.network.edges[*e].vertices;
   const auto distance = [&](const std::vector<int>& loop) { // mean, from the contour to the loop's vertices
     double sum = 0;
