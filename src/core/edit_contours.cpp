@@ -226,7 +226,10 @@ Result<void> move_free_loop(Draft& draft, int e, const Move_contour& edit) {
 Result<int> part_between(Draft& draft, int e, const std::vector<Surface_point>& anchors, const Point& at) {
   const int i = draft.vertex_of_contour_at(e, anchors[0].point);
   const Point first = draft.position(draft.network.edges[e].vertices[i]);
-  std::vector<int> parts = split_edge(draft.network, e, i);
+  const bool at_end = i == 0 || i + 1 == int(draft.network.edges[e].vertices.size());
+  if (at_end && draft.is_free_loop(e))
+    draft.network.nodes[draft.network.edges[e].from].kind = Node_kind::anchor;
+  std::vector<int> parts = split_edge(draft.network, e, i, Node_kind::anchor);
   const auto nearest = [&](const Point& p) {
     int best = parts[0];
     double least = -1;
@@ -242,7 +245,7 @@ Result<int> part_between(Draft& draft, int e, const std::vector<Surface_point>& 
   const int j = draft.vertex_of_contour_at(second, anchors[1].point);
   if (draft.position(draft.network.edges[second].vertices[j]) == first)
     return refuse("the anchors are the same vertex of the contour");
-  const std::vector<int> more = split_edge(draft.network, second, j);
+  const std::vector<int> more = split_edge(draft.network, second, j, Node_kind::anchor);
   parts.erase(std::find(parts.begin(), parts.end(), second));
   parts.insert(parts.end(), more.begin(), more.end());
   return nearest(at);

@@ -19,12 +19,13 @@ struct Edge_crossing {
 };
 
 enum class Node_kind : signed char {
-  saddle,        ///< a critical point
-  regular,       ///< a regular point, where a contour begins and ends (caps, subdivisions)
-  boundary,      ///< on a boundary loop of the surface
-  half_pole,     ///< an end of a segment that is an extremum
-  half_saddle,   ///< where a loop and a middle segment meet
-  quarter_saddle ///< a corner of a rectangle
+  saddle,         ///< a critical point
+  regular,        ///< a regular point, where a contour begins and ends (caps, subdivisions)
+  boundary,       ///< on a boundary loop of the surface
+  half_pole,      ///< an end of a segment that is an extremum
+  half_saddle,    ///< where a loop and a middle segment meet
+  quarter_saddle, ///< a corner of a rectangle
+  anchor          ///< a regular point that divides a contour, so that its parts move alone
 };
 
 struct Contour_node {
