@@ -61,7 +61,7 @@ Triangle_surface open_hand(int triangles) {
 
 Triangle_surface surface_of(const recipes::Entry& entry, int triangles) {
   if (entry.input == "globe") return triangles < 6000 ? globe(24, 40) : globe(48, 60);
-  if (entry.input == "open hand") return open_hand(2 * triangles);
+  if (entry.input == "open hand") return open_hand(triangles);
   Result<Triangle_surface> made = make_shape(entry.input, triangles);
   INFO(entry.input);
   REQUIRE(bool(made));
