@@ -18,9 +18,10 @@ if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
       COMMENT "Taking pictures of the studio" VERBATIM)
   endif()
   configure_file(${doc_dir}/Doxyfile.in ${PROJECT_BINARY_DIR}/doc/Doxyfile @ONLY)
+  file(GLOB edit_figures CONFIGURE_DEPENDS ${doc_dir}/fig/edits/*.json)
   add_custom_command(OUTPUT ${figure_dir}/quads.png
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:reebquad> -D OUT=${figure_dir} -P ${doc_dir}/fig/make_figures.cmake
-    DEPENDS reebquad ${doc_dir}/fig/make_figures.cmake COMMENT "Making the manual's figures" VERBATIM)
+    DEPENDS reebquad ${doc_dir}/fig/make_figures.cmake ${edit_figures} COMMENT "Making the manual's figures" VERBATIM)
   add_custom_command(OUTPUT ${figure_dir}/texture_move_vertices.svg
     COMMAND ${CMAKE_COMMAND} -E make_directory ${figure_dir}
     COMMAND $<TARGET_FILE:example_texture_pictures> ${figure_dir}

@@ -60,7 +60,7 @@ Triangle_surface open_hand(int triangles) {
 }
 
 Triangle_surface surface_of(const recipes::Entry& entry, int triangles) {
-  if (entry.input == "globe") return triangles < 6000 ? globe(24, 40) : globe(48, 60);
+  if (entry.input == "globe") return triangles < 5000 ? globe(24, 40) : globe(36, 60);
   if (entry.input == "open hand") return open_hand(triangles);
   Result<Triangle_surface> made = make_shape(entry.input, triangles);
   INFO(entry.input);
@@ -91,7 +91,7 @@ TEST_CASE("a recipe gives certified quads with exactly the extraordinary vertice
 TEST_CASE("a recipe made on one triangulation runs on a denser one with the same extraordinary vertices") {
   for (const recipes::Entry& entry : recipes::table()) {
     if (entry.input.empty()) continue;
-    const Triangle_surface denser = surface_of(entry, 9000);
+    const Triangle_surface denser = surface_of(entry, 7000);
     const Recipe recipe = recipes::recipe(entry.name);
     INFO(entry.name << " on " << denser.number_of_faces() << " triangles");
     Result<Editor> editor = Editor::create(denser, recipe.options);
