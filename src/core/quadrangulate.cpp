@@ -481,7 +481,13 @@ Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& inpu
   Finished_quads result;
   result.mesh = std::move(mesh);
   const Surface_projector projector(input);
-  Result<Relax_report> report = relax_quads(result.mesh, input, projector, {}, relaxation, observer);
+  std::vector<char> designed; // vertices that the design has put onto features already: they stay there
+  if (features.feature_angle > 0) {
+    Snap_options near = features;
+    near.reach = std::min(features.reach, 0.01);
+    snap_to_features(result.mesh, input, near, designed);
+  }
+  Result<Relax_report> report = relax_quads(result.mesh, input, projector, designed, relaxation, observer);
   if (!report) return report.error();
   if (features.feature_angle > 0) {
     std::vector<char> fixed;
