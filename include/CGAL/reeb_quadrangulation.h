@@ -10,6 +10,7 @@
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Contour_network.h>
 #include <CGAL/Reeb_quadrangulation/Design.h>
+#include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 #include <CGAL/Reeb_quadrangulation/Edit.h>
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>

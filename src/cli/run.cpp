@@ -81,7 +81,7 @@ private:
     std::vector<double> area(n);
     double total = 0;
     for (std::size_t c = 0; c < n; ++c) {
-      area[c] = surface_area(m_run.components[c].surface);
+      area[c] = Reeb_quadrangulation::area(m_run.components[c].surface);
       total += area[c];
       options[c].extrema.clear();
     }
@@ -92,15 +92,6 @@ private:
     for (const Placed_extremum& extremum : m_options.pipeline.extrema)
       options[nearest_component(extremum.point)].extrema.push_back(extremum);
     return options;
-  }
-
-  static double surface_area(const Triangle_surface& surface) {
-    double area = 0;
-    for (const Triangle& t : surface.triangles) {
-      const Point& p = surface.points[t[0]];
-      area += 0.5 * (surface.points[t[1]] - p).cross(surface.points[t[2]] - p).norm();
-    }
-    return area;
   }
 
   std::size_t nearest_component(const Point& point) const {

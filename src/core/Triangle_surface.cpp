@@ -118,5 +118,16 @@ std::pair<std::vector<int>, int> connected_components(const Triangle_surface& su
   return {std::move(component), count};
 }
 
+double area(const Triangle_surface& s, int face) {
+  const Triangle& t = s.triangles[face];
+  return 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
+}
+
+double area(const Triangle_surface& surface) {
+  double sum = 0;
+  for (int f = 0; f < surface.number_of_faces(); ++f) sum += area(surface, f);
+  return sum;
+}
+
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

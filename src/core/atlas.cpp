@@ -466,6 +466,19 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
   return builder.finish(reused);
 }
 
+int chart_across(const Atlas& atlas, int edge, int chart) {
+  const std::array<int, 2> sides = atlas.charts_of_edge[edge];
+  return sides[0] == chart ? sides[1] : sides[0];
+}
+
+std::vector<int> contour_edges(const Chart& chart) {
+  std::vector<int> edges;
+  for (const Walk& walk : chart.walks)
+    for (const Walk_edge& e : walk.edges) edges.push_back(e.edge);
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 std::vector<int> faces_of_charts(const Triangle_surface& surface, const Atlas& atlas,
                                  const std::vector<int>& charts) {
   std::vector<char> inside(surface.number_of_faces(), 0);

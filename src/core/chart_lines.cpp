@@ -109,11 +109,6 @@ private:
     return found->second;
   }
 
-  int add_crossing(const Line_crossing& crossing) {
-    m_network.crossings.push_back({crossing.edge, crossing.t});
-    return m_network.surface_vertices + int(m_network.crossings.size()) - 1;
-  }
-
   int finish(const Contour_edge& edge, Contour_edge& made) {
     made.value = edge.value;
     made.from = made.to = node(edge.from, made.vertices.front());
@@ -131,7 +126,7 @@ private:
     made.vertices.push_back(seed);
     made.faces.push_back(first_face);
     for (const Line_crossing& c : m_crossings) {
-      made.vertices.push_back(add_crossing(c));
+      made.vertices.push_back(add_crossing(m_network, {c.edge, c.t}));
       made.faces.push_back(c.next_face);
     }
     made.vertices.push_back(seed);
@@ -153,7 +148,7 @@ private:
     if (tight.size() < 3) return too_near();
     Contour_edge made;
     for (const Line_crossing& c : tight) {
-      made.vertices.push_back(add_crossing(c));
+      made.vertices.push_back(add_crossing(m_network, {c.edge, c.t}));
       made.faces.push_back(c.next_face);
     }
     made.vertices.push_back(made.vertices.front());

@@ -49,46 +49,26 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   return prepare(chart, clamped_cotangent_weights(chart.mesh));
 }
 
-std::vector<std::vector<int>> elimination_orders(const Atlas& atlas, const std::vector<int>& order) {
-  std::vector<std::vector<int>> orders(atlas.charts.size());
-  if (order.empty()) return orders;
-  std::vector<std::array<int, 2>> place(order.size(), {-1, -1}); // chart and vertex in it
-  for (std::size_t c = 0; c < atlas.charts.size(); ++c) {
-    const Chart& chart = *atlas.charts[c];
-    orders[c].reserve(chart.vertex_origin.size());
-    for (std::size_t v = 0; v < chart.vertex_origin.size(); ++v)
-      if (const int origin = chart.vertex_origin[v]; origin >= 0 && origin < int(order.size()))
-        place[origin] = {int(c), int(v)};
-    // Vertices of walks are known, and in several charts.
-    for (const Walk& walk : chart.walks)
-      for (int v : walk.vertices)
-        if (const int origin = chart.vertex_origin[v]; origin >= 0 && origin < int(order.size()))
-          place[origin] = {-1, -1};
-  }
-  for (int v : order)
-    if (place[v][0] >= 0) orders[place[v][0]].push_back(place[v][1]);
-  return orders;
+std::vector<int> elimination_order(const Chart& chart, const std::vector<int>& place) {
+  std::vector<char> is_known(chart.vertex_origin.size(), 0); // and in several charts
+  for (const Walk& walk : chart.walks)
+    for (int v : walk.vertices) is_known[v] = 1;
+  std::vector<std::pair<int, int>> placed;
+  placed.reserve(chart.vertex_origin.size());
+  for (std::size_t v = 0; v < chart.vertex_origin.size(); ++v)
+    if (const int origin = chart.vertex_origin[v]; !is_known[v] && origin >= 0 && origin < int(place.size()))
+      placed.push_back({place[origin], int(v)});
+  std::sort(placed.begin(), placed.end());
+  std::vector<int> order;
+  order.reserve(placed.size());
+  for (const auto& entry : placed) order.push_back(entry.second);
+  return order;
 }
 
-// The solver with the unknowns in the order asked for, the vertices left out last.
-Result<void> Chart_parameterization::factorize(const std::vector<int>& elimination_order) {
-  m_solver = std::make_shared<Multifrontal_solver>();
-  const Symmetric_matrix& matrix = m_system.matrix;
-  if (matrix.size == 0) return {};
-  if (!elimination_order.empty()) {
-    std::vector<int> order;
-    std::vector<char> is_listed(matrix.size, 0);
-    order.reserve(matrix.size);
-    for (int v : elimination_order)
-      if (const int i = m_system.unknown_of_vertex[v]; i >= 0) {
-        order.push_back(i);
-        is_listed[i] = 1;
-      }
-    for (int i = 0; i < matrix.size; ++i)
-      if (!is_listed[i]) order.push_back(i);
-    if (Result<void> analyzed = m_solver->analyze(matrix, order); !analyzed) return analyzed;
-  }
-  return m_solver->factorize(matrix);
+std::vector<int> places_in(const std::vector<int>& order) {
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = int(i);
+  return place;
 }
 
 Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart, Edge_weights weights,
@@ -96,12 +76,13 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   const Triangle_surface& mesh = chart.mesh;
   if (Result<void> checked = check_weights(mesh, weights); !checked) return checked.error();
   Chart_parameterization p;
-  p.m_weights = std::move(weights);
   std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
   for (const Walk& walk : chart.walks)
     for (int v : walk.vertices) is_fixed[v] = 1;
-  p.m_system = assemble(mesh, p.m_weights, is_fixed);
-  if (Result<void> factorized = p.factorize(elimination_order); !factorized) return factorized.error();
+  Result<Dirichlet_problem> problem =
+      Dirichlet_problem::factorize(mesh, std::move(weights), is_fixed, elimination_order);
+  if (!problem) return problem.error();
+  p.m_problem = std::move(*problem);
   if (chart.kind == Chart_kind::annulus) {
     if (Result<void> solved = p.solve_u(chart); !solved) return solved.error();
     p.choose_seam(chart);
@@ -111,28 +92,10 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   return p;
 }
 
-// Solves for the free vertices; `values` holds those of the walks on entry and all of them on return.
-Result<void> Chart_parameterization::dirichlet(const Chart& chart, std::vector<double>& values,
-                                               bool with_jumps) const {
-  const Triangle_surface& mesh = chart.mesh;
-  const std::vector<int>& unknown = m_system.unknown_of_vertex;
-  std::vector<double> x(m_system.matrix.size, 0.0);
-  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
-    const int i = unknown[mesh.source(h)], target = mesh.target(h);
-    if (i < 0) continue;
-    const double known = unknown[target] < 0 ? values[target] : 0.0;
-    x[i] += m_weights.of_halfedge[h] * (with_jumps ? known + m_jump[h] : known);
-  }
-  if (!x.empty())
-    if (Result<void> solved = m_solver->solve(x.data()); !solved) return solved;
-  for (std::size_t i = 0; i < x.size(); ++i) values[m_system.vertex_of_unknown[i]] = x[i];
-  return {};
-}
-
 Result<void> Chart_parameterization::solve_u(const Chart& chart) {
   m_u.assign(chart.mesh.number_of_vertices(), 0.0);
   for (int v : chart.walks[1].vertices) m_u[v] = 1;
-  return dirichlet(chart, m_u, false);
+  return m_problem.solve(chart.mesh, m_u);
 }
 
 // The seam is a shortest strip of faces from the LOW walk to the HIGH walk. The edges it crosses carry the jump: -1 from its
@@ -181,7 +144,8 @@ void Chart_parameterization::choose_seam(const Chart& chart) {
   // The flux across the seam links the two walks' natural V.
   double flux = 0;
   for (int g = 0; g < mesh.number_of_halfedges(); ++g)
-    if (m_jump[g] < 0) flux += m_weights.of_halfedge[g] * (m_u[mesh.target(g)] - m_u[mesh.source(g)]);
+    if (m_jump[g] < 0)
+      flux += m_problem.weights().of_halfedge[g] * (m_u[mesh.target(g)] - m_u[mesh.source(g)]);
   m_natural[1].assign(1, flux);
 }
 
@@ -190,8 +154,8 @@ void Chart_parameterization::integrate_flux(const Chart& chart) {
   const Triangle_surface& mesh = chart.mesh;
   std::vector<double> out(mesh.number_of_vertices(), 0.0);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-    if (const int v = mesh.source(h); m_system.unknown_of_vertex[v] < 0)
-      out[v] += m_weights.of_halfedge[h] * std::abs(m_u[mesh.target(h)] - m_u[v]);
+    if (const int v = mesh.source(h); m_problem.is_fixed(v))
+      out[v] += m_problem.weights().of_halfedge[h] * std::abs(m_u[mesh.target(h)] - m_u[v]);
   const double seam_flux = m_natural[1].front();
   for (int w = 0; w < 2; ++w) {
     const std::vector<int>& vertices = chart.walks[w].vertices;
@@ -278,7 +242,7 @@ Result<void> Chart_parameterization::solve_columns(const Chart& chart, const std
     const std::vector<double> values = lifted(chart, w, w == 0 ? low : high);
     for (std::size_t i = 0; i < values.size(); ++i) m_v[chart.walks[w].vertices[i]] = values[i];
   }
-  return dirichlet(chart, m_v, true);
+  return m_problem.solve(chart.mesh, m_v, m_jump);
 }
 
 Result<void> Chart_parameterization::solve_rectangle(const Chart& chart, const std::vector<double>& x,
@@ -291,8 +255,8 @@ Result<void> Chart_parameterization::solve_rectangle(const Chart& chart, const s
     m_v[vertices[i]] = x[i];
     m_u[vertices[i]] = y[i];
   }
-  if (Result<void> solved = dirichlet(chart, m_v, false); !solved) return solved;
-  return dirichlet(chart, m_u, false);
+  if (Result<void> solved = m_problem.solve(chart.mesh, m_v); !solved) return solved;
+  return m_problem.solve(chart.mesh, m_u);
 }
 
 int Chart_parameterization::flipped(const Chart& chart) const {

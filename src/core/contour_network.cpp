@@ -27,6 +27,29 @@ std::vector<Point> network_points(const Triangle_surface& surface, const Contour
   return points;
 }
 
+int add_crossing(Contour_network& network, const Edge_crossing& crossing) {
+  network.crossings.push_back(crossing);
+  return network.surface_vertices + int(network.crossings.size()) - 1;
+}
+
+int add_node(Contour_network& network, int vertex, Node_kind kind) {
+  network.nodes.push_back({vertex, kind, 0});
+  return int(network.nodes.size()) - 1;
+}
+
+std::vector<char> nodes_in_use(const Contour_network& network) {
+  std::vector<char> used(network.nodes.size(), 0);
+  for (const Contour_edge& e : network.edges)
+    if (!network.is_removed(e)) used[e.from] = used[e.to] = 1;
+  return used;
+}
+
+void reverse(Contour_edge& edge) {
+  std::reverse(edge.vertices.begin(), edge.vertices.end());
+  std::reverse(edge.faces.begin(), edge.faces.end());
+  std::swap(edge.from, edge.to);
+}
+
 void remove_edge(Contour_network& network, int e) {
   Contour_edge& edge = network.edges[e];
   for (std::size_t i = 1; i + 1 < edge.vertices.size(); ++i)
@@ -41,8 +64,7 @@ std::vector<int> split_edge(Contour_network& network, int e, int at, Node_kind k
   const int last = int(whole.vertices.size()) - 1;
   CGAL_precondition(0 <= at && at <= last);
   if (at == 0 || at == last) return {e};
-  const int node = int(network.nodes.size());
-  network.nodes.push_back({whole.vertices[at], kind, 0});
+  const int node = add_node(network, whole.vertices[at], kind);
   Contour_edge first = whole, second = whole;
   first.vertices.resize(at + 1);
   first.faces.resize(at);
@@ -185,13 +207,11 @@ Contour_network build_network(const Triangle_surface& surface, const Vertex_orde
       if (const auto found = saddle_node.find(contour.seed); found != saddle_node.end()) {
         edge.from = found->second;
       } else {
-        edge.from = int(network.nodes.size());
-        network.nodes.push_back({contour.seed, Node_kind::regular, 0});
+        edge.from = add_node(network, contour.seed);
       }
       edge.vertices.push_back(contour.seed);
     } else {
-      edge.from = int(network.nodes.size());
-      network.nodes.push_back({vertex_of[c][0], Node_kind::regular, 0});
+      edge.from = add_node(network, vertex_of[c][0]);
     }
     for (std::size_t i = 0; i < contour.halfedges.size(); ++i) {
       edge.vertices.push_back(vertex_of[c][i]);
@@ -215,8 +235,7 @@ void add_boundary_contour(const Triangle_surface& surface, const std::vector<int
   edge.faces.assign(loop.size(), -1);
   // The face is on the left of the loop. On a maximum it must be on the right, so the contour runs the other way.
   if (is_maximum) std::reverse(edge.vertices.begin(), edge.vertices.end());
-  edge.from = edge.to = int(network.nodes.size());
-  network.nodes.push_back({edge.vertices.front(), Node_kind::boundary, 0});
+  edge.from = edge.to = add_node(network, edge.vertices.front(), Node_kind::boundary);
   network.edges.push_back(std::move(edge));
 }
 

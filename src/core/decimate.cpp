@@ -17,11 +17,6 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-double face_area(const Triangle_surface& s, int f) {
-  const Triangle& t = s.triangles[f];
-  return 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
-}
-
 // Takes the first vertex that is not yet within `radius` of a centre as the next centre and floods the ball
 // around it, stopping at vertices that are nearer to an earlier centre.
 void grow_patches(const Triangle_surface& s, double radius, Metric_graph& graph) {
@@ -150,18 +145,12 @@ void store_arcs(const std::vector<Arc>& arcs, Metric_graph& graph) {
 
 } // namespace
 
-double area(const Triangle_surface& surface) {
-  double sum = 0;
-  for (int f = 0; f < surface.number_of_faces(); ++f) sum += face_area(surface, f);
-  return sum;
-}
-
 Metric_graph decimate(const Triangle_surface& surface, int nodes) {
   CGAL_precondition(nodes > 0);
   Metric_graph graph;
   // On fine meshes this sampling leaves one centre for about 1.5 squared radii (measured).
   std::vector<double> areas(surface.number_of_faces());
-  for (int f = 0; f < surface.number_of_faces(); ++f) areas[f] = face_area(surface, f);
+  for (int f = 0; f < surface.number_of_faces(); ++f) areas[f] = area(surface, f);
   const double radius = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0) / (1.5 * nodes));
   grow_patches(surface, radius, graph);
   const Edge_nodes inside = subdivide_long_edges(surface, 2 * radius, graph);

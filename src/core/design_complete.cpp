@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -16,9 +15,8 @@ namespace {
 
 class Completion {
 public:
-  Completion(Draft& draft, Edit_report& report) : m_draft(draft), m_before(draft.before()), m_report(report) {
-    const int threads = draft.options().threads;
-    m_threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  explicit Completion(Draft& draft) : m_draft(draft), m_before(draft.before()) {
+    m_threads = internal::number_of_threads(draft.options().threads);
   }
 
   Result<Design> run() {
@@ -30,7 +28,6 @@ public:
     m_design.atlas = m_draft.atlas();
     m_design.network = std::move(m_draft.network);
     m_design.extrema = std::move(m_draft.extrema);
-    report_changes();
     return std::move(m_design);
   }
 
@@ -128,14 +125,10 @@ private:
 
   // Layouts in which one count forces others may need many more quads than the edge length asks for.
   Result<void> check_number(const Sampling& sampling) const {
-    double area = 0;
-    for (int c = 0; c < number_of_charts(); ++c) {
-      const Triangle_surface& s = m_draft.chart(c).mesh;
-      for (const Triangle& t : s.triangles)
-        area += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
-    }
-    const double expected = area / (sampling.edge_length * sampling.edge_length);
-    if (double(sampling.quads) <= 1e4 + 30 * expected) return {};
+    constexpr double few = 1e4;
+    if (double(sampling.quads) <= few) return {};
+    const double expected = area(m_draft.surface()) / (sampling.edge_length * sampling.edge_length);
+    if (double(sampling.quads) <= few + 30 * expected) return {};
     return refuse("the counts would need too many quads", std::to_string(sampling.quads));
   }
 
@@ -215,24 +208,8 @@ private:
     return {};
   }
 
-  void report_changes() {
-    std::vector<char> stays(m_before.charts.size(), 0);
-    for (int c = 0; c < number_of_charts(); ++c) {
-      const int origin = m_draft.origin(c);
-      if (origin < 0) {
-        m_report.new_charts.push_back(m_ids[c]);
-        continue;
-      }
-      stays[origin] = 1;
-      if (m_design.charts[c] != m_before.charts[origin]) m_report.remeshed_charts.push_back(m_ids[c]);
-    }
-    for (std::size_t i = 0; i < stays.size(); ++i)
-      if (!stays[i]) m_report.removed_charts.push_back(m_before.charts[i]->id);
-  }
-
   Draft& m_draft;
   const Design& m_before;
-  Edit_report& m_report;
   Design m_design;
   int m_threads = 1;
   std::vector<int> m_ids;
@@ -243,8 +220,8 @@ private:
 
 } // namespace
 
-Result<Design> complete_design(Draft& draft, Edit_report& report) {
-  return Completion(draft, report).run();
+Result<Design> complete_design(Draft& draft) {
+  return Completion(draft).run();
 }
 
 } // namespace Reeb_quadrangulation

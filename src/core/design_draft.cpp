@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design_draft.h"
 
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -15,17 +17,34 @@ Error refuse(const std::string& reason, const std::string& details, Element_kind
                     index);
 }
 
-Draft::Draft(const Triangle_surface& surface, const Surface_projector& projector, const Design& design,
-             const Editor_options& options, Observer* observer)
+Surface_solver::Surface_solver(const Triangle_surface& surface, int threads)
+    : m_surface(surface), m_field(surface) {
+  m_field.set_incremental(true);
+  m_field.set_threads(threads);
+}
+
+Result<void> Surface_solver::solve(Designed_field& field) {
+  Result<void> solved = solve_field(m_surface, m_field, field);
+  if (m_places.empty()) m_places = places_in(m_field.elimination_order());
+  return solved;
+}
+
+Draft::Draft(const Triangle_surface& surface, const Surface_projector& projector, Surface_solver& solver,
+             const Design& design, const Editor_options& options, Observer* observer)
     : network(design.network), extrema(design.extrema), target_quads(design.target_quads),
-      edge_length(design.edge_length), m_surface(surface), m_projector(projector), m_before(design),
-      m_options(options), m_observer(observer), m_atlas(design.atlas) {
-  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
+      edge_length(design.edge_length), m_surface(surface), m_projector(projector), m_solver(solver),
+      m_before(design), m_options(options), m_observer(observer), m_atlas(design.atlas) {
+  remember_contours();
   for (std::size_t c = 0; c < design.charts.size(); ++c) {
     settings[design.charts[c]->id] = design.charts[c]->settings;
     m_maps.push_back(design.charts[c]->map);
     m_origin.push_back(int(c));
   }
+}
+
+void Draft::remember_contours() {
+  m_was_cut.clear();
+  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
 }
 
 std::vector<int> Draft::extremal_vertices() const {
@@ -93,8 +112,7 @@ Result<void> Draft::cut() {
   m_maps = std::move(maps);
   m_origin = std::move(origin);
   m_atlas = std::move(*atlas);
-  m_was_cut.clear();
-  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
+  remember_contours();
   return {};
 }
 
@@ -115,15 +133,15 @@ void Draft::adopt(Reeb_layout layout) {
   network = std::move(layout.network);
   m_atlas = std::move(layout.atlas);
   m_atlas.chart_of_face.clear();
-  m_was_cut.clear();
-  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
+  remember_contours();
   m_maps.assign(m_atlas.charts.size(), nullptr);
   m_origin.assign(m_atlas.charts.size(), -1);
 }
 
 Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
   if (!m_maps[c]) {
-    Result<Chart_parameterization> map = Chart_parameterization::prepare(chart(c));
+    Result<Chart_parameterization> map = Chart_parameterization::prepare(
+        chart(c), clamped_cotangent_weights(chart(c).mesh), order_of(chart(c)));
     if (!map) return map.error();
     m_maps[c] = std::make_shared<const Chart_parameterization>(std::move(*map));
   }
@@ -232,9 +250,7 @@ int Draft::extremum_at(const Point& point) const {
 }
 
 int Draft::saddle_at(const Point& point) const {
-  std::vector<char> used(network.nodes.size(), 0);
-  for (const Contour_edge& e : network.edges)
-    if (!network.is_removed(e)) used[e.from] = used[e.to] = 1;
+  const std::vector<char> used = nodes_in_use(network);
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < used.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Design.h>
 #include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 
 #include <map>
@@ -19,14 +20,31 @@ namespace Reeb_quadrangulation {
 Error refuse(const std::string& reason, const std::string& details = {},
              Element_kind element = Element_kind::none, int index = -1);
 
+/// The harmonic fields of a whole surface: the factorization and the order of elimination stay from edit to edit, which changes no
+/// bit of the results.
+class Surface_solver {
+public:
+  Surface_solver(const Triangle_surface& surface, int threads);
+  /// Fills in a field as `solve_field()` does.
+  Result<void> solve(Designed_field& field);
+  /// The places of the vertices in the order of elimination; empty before the first field.
+  const std::vector<int>& places() const { return m_places; }
+
+private:
+  const Triangle_surface& m_surface;
+  Harmonic_field m_field;
+  std::vector<int> m_places;
+};
+
 /// A copy of a design's contours and settings that an edit works on, cut into charts whenever it asks. Thrown away if the edit is
 /// refused.
 class Draft {
 public:
-  Draft(const Triangle_surface& surface, const Surface_projector& projector, const Design& design,
-        const Editor_options& options, Observer* observer);
+  Draft(const Triangle_surface& surface, const Surface_projector& projector, Surface_solver& solver,
+        const Design& design, const Editor_options& options, Observer* observer);
 
   const Triangle_surface& surface() const { return m_surface; }
+  Surface_solver& solver() const { return m_solver; }
   const Editor_options& options() const { return m_options; }
   Observer* observer() const { return m_observer; }
   const Design& before() const { return m_before; }
@@ -49,10 +67,12 @@ public:
   /// The index that a chart has in the design before, or -1.
   int origin(int c) const { return m_origin[c]; }
 
-  /// The map of a chart: prepared, and of an annulus solved for the natural V if `solved`.
+  /// The vertices of a chart as its systems eliminate them.
+  std::vector<int> order_of(const Chart& chart) const { return elimination_order(chart, m_solver.places()); }
+  /// The map of a chart, prepared.
   Result<std::shared_ptr<const Chart_parameterization>> map(int c);
+  /// The map of an annulus, solved for its natural V.
   Result<Chart_parameterization> naturally_solved_map(int c);
-  void set_map(int c, std::shared_ptr<const Chart_parameterization> map) { m_maps[c] = std::move(map); }
   bool has_map(int c) const { return bool(m_maps[c]); }
 
   /// \name Elements that points mean
@@ -76,8 +96,10 @@ public:
 
 private:
   std::vector<int> changed_charts() const;
+  void remember_contours();
   const Triangle_surface& m_surface;
   const Surface_projector& m_projector;
+  Surface_solver& m_solver;
   const Design& m_before;
   const Editor_options& m_options;
   Observer* m_observer;
@@ -88,7 +110,7 @@ private:
 };
 
 /// Samples, maps and fills what the draft has new, and makes it a design. Fails like an edit.
-Result<Design> complete_design(Draft& draft, Edit_report& report);
+Result<Design> complete_design(Draft& draft);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -3,7 +3,7 @@
 #include "edit_steps.h"
 #include "plane_path.h"
 
-#include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
+#include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
@@ -28,13 +28,19 @@ Result<std::vector<double>> level_field(Draft& draft, int c) {
   }
   if (chart.extremum < 0) return refuse("a rectangle has no level lines");
   const bool is_maximum = chart.walks[0].side == Side::low;
-  Harmonic_field harmonic(chart.mesh);
-  harmonic.set_weights(Weight_kind::clamped_cotangent);
-  for (int v : chart.walks[0].vertices)
-    if (Result<void> set = harmonic.set_constraint(v, is_maximum ? 0 : 1); !set) return set.error();
-  if (Result<void> set = harmonic.set_constraint(chart.extremum, is_maximum ? 1 : 0); !set)
-    return set.error();
-  return harmonic.solve();
+  std::vector<char> is_fixed(chart.mesh.number_of_vertices(), 0);
+  std::vector<double> values(is_fixed.size(), 0.0);
+  is_fixed[chart.extremum] = 1;
+  values[chart.extremum] = is_maximum ? 1 : 0;
+  for (int v : chart.walks[0].vertices) {
+    is_fixed[v] = 1;
+    values[v] = is_maximum ? 0 : 1;
+  }
+  Result<Dirichlet_problem> problem = Dirichlet_problem::factorize(
+      chart.mesh, clamped_cotangent_weights(chart.mesh), is_fixed, draft.order_of(chart));
+  if (!problem) return problem.error();
+  if (Result<void> solved = problem->solve(chart.mesh, values); !solved) return solved.error();
+  return values;
 }
 
 // The field's values at the two ends of a chart.
@@ -149,12 +155,6 @@ Chart_signature left_of(const Draft& draft, int edge) {
   return left;
 }
 
-void reverse(Contour_edge& edge) {
-  std::reverse(edge.vertices.begin(), edge.vertices.end());
-  std::reverse(edge.faces.begin(), edge.faces.end());
-  std::swap(edge.from, edge.to);
-}
-
 } // namespace
 
 Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh) {
@@ -185,11 +185,6 @@ Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh) {
 
 namespace {
 
-int add_crossing(Contour_network& network, const Edge_crossing& crossing) {
-  network.crossings.push_back(crossing);
-  return network.surface_vertices + int(network.crossings.size()) - 1;
-}
-
 // A closed plane curve as a free loop that begins near `node`.
 Contour_edge loop_of_curve(Draft& draft, const Plane_curve& curve, const Point& node) {
   const std::vector<Point> points = curve_points(draft.surface(), curve);
@@ -203,8 +198,7 @@ Contour_edge loop_of_curve(Draft& draft, const Plane_curve& curve, const Point& 
     edge.faces.push_back(curve.faces[(first + i) % n]);
   }
   edge.vertices.push_back(edge.vertices.front());
-  edge.from = edge.to = int(draft.network.nodes.size());
-  draft.network.nodes.push_back({edge.vertices.front(), Node_kind::regular, 0});
+  edge.from = edge.to = add_node(draft.network, edge.vertices.front());
   return edge;
 }
 
@@ -343,10 +337,7 @@ Result<void> apply_edit(Draft& draft, const Collapse_thin_charts&) {
       const auto map = draft.map(c);
       if (!map) return map.error();
       if ((*map)->profile().total() >= least) continue;
-      std::vector<int> edges;
-      for (const Walk& walk : draft.chart(c).walks)
-        for (const Walk_edge& e : walk.edges) edges.push_back(e.edge);
-      if (refused.count(edges)) continue;
+      if (refused.count(contour_edges(draft.chart(c)))) continue;
       least = (*map)->profile().total();
       thinnest = c;
     }
@@ -357,10 +348,7 @@ Result<void> apply_edit(Draft& draft, const Collapse_thin_charts&) {
       ++done;
       continue;
     }
-    std::vector<int> edges;
-    for (const Walk& walk : draft.chart(thinnest).walks)
-      for (const Walk_edge& e : walk.edges) edges.push_back(e.edge);
-    refused.insert(edges);
+    refused.insert(contour_edges(draft.chart(thinnest)));
   }
   if (done == 0) return refuse("no chart is thinner than half a quad and can be collapsed");
   return {};
@@ -378,12 +366,16 @@ std::vector<std::vector<int>> feature_loops(const Draft& draft, const std::set<i
       sharp[h] = 1;
       if (s.opposite[h] >= 0) sharp[s.opposite[h]] = 1;
     }
-  const std::set<int> own(draft.network.edges[moved].vertices.begin(),
-                          draft.network.edges[moved].vertices.end());
-  const auto inside = [&](int v) {
-    const int c = draft.chart_of_vertex(v);
-    return c >= 0 ? charts.count(c) > 0 : own.count(v) > 0;
-  };
+  // Inside the charts, or on the contour itself.
+  std::vector<char> inside(s.number_of_vertices(), 0);
+  for (int c : charts)
+    for (int v : draft.chart(c).vertex_origin)
+      if (v >= 0 && v < s.number_of_vertices()) inside[v] = 1;
+  for (const Contour_edge& e : draft.network.edges)
+    for (int v : e.vertices)
+      if (!draft.network.is_crossing(v)) inside[v] = 0;
+  for (int v : draft.network.edges[moved].vertices)
+    if (!draft.network.is_crossing(v)) inside[v] = 1;
   std::vector<std::vector<int>> loops;
   std::vector<char> seen(s.number_of_halfedges(), 0);
   for (int first = 0; first < s.number_of_halfedges(); ++first) {
@@ -393,7 +385,7 @@ std::vector<std::vector<int>> feature_loops(const Draft& draft, const std::set<i
     for (int h = first; !seen[h];) {
       seen[h] = 1;
       loop.push_back(s.source(h));
-      good = good && inside(loop.back());
+      good = good && inside[loop.back()];
       for (h = Triangle_surface::next(h); !sharp[h]; h = Triangle_surface::next(s.opposite[h])) {
       }
     }
@@ -454,8 +446,7 @@ Result<void> apply_edit(Draft& draft, const Snap_contour& edit) {
     fresh.vertices = loops[i];
     fresh.vertices.push_back(loops[i].front());
     fresh.faces.assign(loops[i].size(), -1);
-    fresh.from = fresh.to = int(trial.network.nodes.size());
-    trial.network.nodes.push_back({loops[i].front(), Node_kind::regular, 0});
+    fresh.from = fresh.to = add_node(trial.network, loops[i].front());
     if (!replace_edge(trial, *e, std::move(fresh))) continue;
     draft.take(std::move(trial));
     return {};

@@ -86,12 +86,11 @@ Result<void> apply_edit(Draft& draft, const Lock_chart& edit) {
 
 namespace {
 
-Point sample_point(const Draft& draft, const Chart& chart, const std::vector<double>& x, int sample) {
+Point sample_point(const Chart& chart, const std::vector<double>& x, int sample) {
   const std::vector<int>& walk = chart.walks[0].vertices;
   std::size_t i = 0;
   while (i + 1 < walk.size() && x[i + 1] <= sample) ++i;
   const Point &p = chart.mesh.points[walk[i]], &q = chart.mesh.points[walk[(i + 1) % walk.size()]];
-  (void)draft;
   return p + (sample - x[i]) / (x[i + 1] - x[i]) * (q - p);
 }
 
@@ -113,8 +112,7 @@ Result<void> apply_edit(Draft& draft, const Move_corner& edit) {
   const auto nearest = [&](const Point& p, const std::vector<int>& candidates) {
     int best = candidates[0];
     for (int s : candidates)
-      if ((sample_point(draft, chart, x, s) - p).squaredNorm() <
-          (sample_point(draft, chart, x, best) - p).squaredNorm())
+      if ((sample_point(chart, x, s) - p).squaredNorm() < (sample_point(chart, x, best) - p).squaredNorm())
         best = s;
     return best;
   };

@@ -2,7 +2,7 @@
 #include "chart_lines.h"
 #include "edit_steps.h"
 
-#include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
+#include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -43,18 +44,9 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
       return refuse("an extremum on the boundary", {}, Element_kind::vertex, extrema[i].vertex);
   }
   Designed_field field{{}, vertices_of(extrema, false), vertices_of(extrema, true), boundary_is_maximum};
-  Harmonic_field harmonic(s);
-  for (const Design_extremum& e : extrema)
-    if (Result<void> set = harmonic.set_constraint(e.vertex, e.value); !set) return set;
-  const std::vector<std::vector<int>> loops = boundary_loops(s);
-  for (std::size_t i = 0; i < loops.size(); ++i)
-    for (int h : loops[i])
-      if (Result<void> set = harmonic.set_constraint(s.source(h), boundary_is_maximum[i]); !set) return set;
-  std::vector<int> wanted = field.minima;
-  wanted.insert(wanted.end(), field.maxima.begin(), field.maxima.end());
-  Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
-  if (!solved) return refuse("the field cannot be solved", solved.error().message);
-  field.values = std::move(solved->values);
+  for (const Design_extremum& e : extrema) field.extremal_values[e.vertex] = e.value;
+  if (Result<void> solved = draft.solver().solve(field); !solved)
+    return refuse("the field cannot be solved", solved.error().message);
   Result<Reeb_layout> layout = make_layout(s, field, int(draft.network.edges.size()));
   if (!layout) return refuse("the field has no layout", layout.error().message);
   if (!layout->lost_extrema.empty())
@@ -69,7 +61,22 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
 
 // Whether the boundary loops are maxima: as they are now, else as it is suggested.
 Result<std::vector<bool>> boundary_kinds(Draft& draft) {
-  if (boundary_loops(draft.surface()).empty()) return std::vector<bool>();
+  const std::vector<std::vector<int>> loops = boundary_loops(draft.surface());
+  if (loops.empty()) return std::vector<bool>();
+  std::map<int, bool>
+      is_maximum; // of boundary vertices that contours know; a maximum has its chart on the right
+  for (std::size_t e = 0; e < draft.atlas().charts_of_edge.size(); ++e) {
+    const std::array<int, 2> sides = draft.atlas().charts_of_edge[e];
+    const Contour_edge& edge = draft.network.edges[e];
+    if (!draft.network.is_removed(edge) && (sides[0] < 0 || sides[1] < 0))
+      for (int v : edge.vertices) is_maximum[v] = sides[0] < 0;
+  }
+  if (!is_maximum.empty()) {
+    std::vector<bool> kinds;
+    for (const std::vector<int>& loop : loops)
+      kinds.push_back(is_maximum.at(draft.surface().source(loop[0])));
+    return kinds;
+  }
   Result<Suggestion> suggestion = suggest_extrema(draft.surface(), {}, draft.observer());
   if (!suggestion) return suggestion.error();
   return suggestion->boundary_is_maximum;
@@ -79,10 +86,6 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema) 
   Result<std::vector<bool>> kinds = boundary_kinds(draft);
   if (!kinds) return kinds.error();
   return design_surface(draft, std::move(extrema), *kinds);
-}
-
-int nearest_extremum(const Draft& draft, const Surface_point& at) {
-  return draft.extremum_at(at.point);
 }
 
 } // namespace
@@ -112,7 +115,7 @@ Result<void> apply_edit(Draft& draft, const Set_extrema& edit) {
 }
 
 Result<void> apply_edit(Draft& draft, const Change_value& edit) {
-  const int i = nearest_extremum(draft, edit.at);
+  const int i = draft.extremum_at(edit.at.point);
   if (i < 0) return refuse("there is no extremum");
   if (!(edit.value >= 0 && edit.value <= 1))
     return make_error(Error_code::impossible_request, "the value of an extremum is between 0 and 1");
@@ -127,7 +130,6 @@ namespace {
 struct Region {
   Chart chart;
   std::vector<Design_extremum> extrema; // local vertices
-  std::vector<int> loop_of_walk;        // boundary loop of each walk
   Designed_field field;
 };
 
@@ -135,23 +137,39 @@ double value_of(const Contour_network& network, const Walk& walk) {
   return network.edges[walk.edges[0].edge].value;
 }
 
-Result<std::vector<double>> solve_region(const Draft& draft, const Region& region, int lifted) {
+// The system of the region with its walks and extrema fixed.
+Result<Dirichlet_problem> region_problem(const Draft& draft, const Region& region) {
   const Triangle_surface& mesh = region.chart.mesh;
-  Harmonic_field harmonic(mesh);
-  harmonic.set_weights(Weight_kind::clamped_cotangent);
-  // With `lifted`, the response to 1 at that vertex with 0 at everything else; without, the field itself.
+  std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
   for (const Walk& walk : region.chart.walks)
-    for (int v : walk.vertices)
-      if (Result<void> set = harmonic.set_constraint(v, lifted >= 0 ? 0 : value_of(draft.network, walk));
-          !set)
-        return set.error();
-  for (const Design_extremum& e : region.extrema)
-    if (e.vertex != lifted)
-      if (Result<void> set = harmonic.set_constraint(e.vertex, lifted >= 0 ? 0 : e.value); !set)
-        return set.error();
-  if (lifted >= 0)
-    if (Result<void> set = harmonic.set_constraint(lifted, 1); !set) return set.error();
-  return harmonic.solve();
+    for (int v : walk.vertices) is_fixed[v] = 1;
+  for (const Design_extremum& e : region.extrema) is_fixed[e.vertex] = 1;
+  return Dirichlet_problem::factorize(mesh, clamped_cotangent_weights(mesh), is_fixed,
+                                      draft.order_of(region.chart));
+}
+
+// The field with the contours' and the extrema's values.
+Result<std::vector<double>> region_field(const Draft& draft, const Region& region,
+                                         const Dirichlet_problem& problem) {
+  std::vector<double> values(region.chart.mesh.number_of_vertices(), 0.0);
+  for (const Walk& walk : region.chart.walks)
+    for (int v : walk.vertices) values[v] = value_of(draft.network, walk);
+  for (const Design_extremum& e : region.extrema) values[e.vertex] = e.value;
+  if (Result<void> solved = problem.solve(region.chart.mesh, values); !solved) return solved.error();
+  return values;
+}
+
+// What the field lacks at a vertex to be harmonic there.
+double flux_at(const Triangle_surface& mesh, const Edge_weights& weights, const std::vector<double>& values,
+               int v) {
+  double flux = 0;
+  const int first = mesh.outgoing[v];
+  int h = first;
+  do {
+    flux += weights.of_halfedge[h] * (values[v] - values[mesh.target(h)]);
+    h = mesh.rotate_ccw(h);
+  } while (h != first);
+  return flux;
 }
 
 // How far the field may be lifted at a vertex until a neighbour of a walk or of an extremum reaches its value (METHOD: q_max).
@@ -177,20 +195,29 @@ double largest_lift(const Draft& draft, const Region& region, const std::vector<
 
 // Sets the value of a new extremum, and with it the field.
 Result<void> lift(Draft& draft, Region& region, int added, double strength) {
-  const auto found = std::find_if(region.extrema.begin(), region.extrema.end(),
-                                  [&](const Design_extremum& e) { return e.vertex == added; });
-  const Design_extremum extremum = *found;
-  region.extrema.erase(found);
-  Result<std::vector<double>> u = solve_region(draft, region, -1);
+  const Triangle_surface& mesh = region.chart.mesh;
+  const auto extremum = std::find_if(region.extrema.begin(), region.extrema.end(),
+                                     [&](const Design_extremum& e) { return e.vertex == added; });
+  Result<Dirichlet_problem> problem = region_problem(draft, region);
+  if (!problem) return refuse("the field cannot be solved", problem.error().message);
+  // The response to 1 at the new extremum, and the field as it is without it: with the multiple of the response that leaves no flux.
+  std::vector<double> green(mesh.number_of_vertices(), 0.0);
+  green[added] = 1;
+  if (Result<void> solved = problem->solve(mesh, green); !solved) return solved;
+  extremum->value = 0;
+  Result<std::vector<double>> u = region_field(draft, region, *problem);
   if (!u) return u.error();
-  Result<std::vector<double>> green = solve_region(draft, region, added);
-  if (!green) return green.error();
-  const double sign = extremum.is_maximum ? 1 : -1, q = largest_lift(draft, region, *u, *green, sign);
+  const double level =
+      -flux_at(mesh, problem->weights(), *u, added) / flux_at(mesh, problem->weights(), green, added);
+  for (std::size_t v = 0; v < u->size(); ++v) (*u)[v] += level * green[v];
+  const Design_extremum mine = *extremum;
+  region.extrema.erase(extremum); // it bounds no lift of its own
+  const double sign = mine.is_maximum ? 1 : -1, q = largest_lift(draft, region, *u, green, sign);
   if (!std::isfinite(q) || !(q > 0)) return refuse("there is no room for another extremum");
   region.field.values = std::move(*u);
   for (std::size_t v = 0; v < region.field.values.size(); ++v)
-    region.field.values[v] += sign * strength * q * (*green)[v];
-  region.extrema.push_back(extremum);
+    region.field.values[v] += sign * strength * q * green[v];
+  region.extrema.push_back(mine);
   region.extrema.back().value = region.field.values[added];
   return {};
 }
@@ -248,8 +275,10 @@ Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int insi
     const int local = int(std::find(origin.begin(), origin.end(), added) - origin.begin());
     if (Result<void> lifted = lift(draft, *region, local, strength); !lifted) return lifted;
   } else {
-    Result<std::vector<double>> values = solve_region(draft, *region, -1);
-    if (!values) return refuse("the field cannot be solved", values.error().message);
+    Result<Dirichlet_problem> problem = region_problem(draft, *region);
+    if (!problem) return refuse("the field cannot be solved", problem.error().message);
+    Result<std::vector<double>> values = region_field(draft, *region, *problem);
+    if (!values) return values.error();
     region->field.values = std::move(*values);
   }
   region->field.minima = vertices_of(region->extrema, false);
@@ -283,15 +312,11 @@ int cap_contour(const Draft& draft, int chart) {
 
 namespace {
 
-int other_side(const Draft& draft, int edge, int chart) {
-  const std::array<int, 2> sides = draft.atlas().charts_of_edge[edge];
-  return sides[0] == chart ? sides[1] : sides[0];
-}
-
 // The charts around a disc's extremum that its cap only divides: the disc, and the annulus (or disc) beyond the cap.
 std::set<int> polar_charts(const Draft& draft, int disc) {
   std::set<int> charts{disc};
-  if (const int cap = cap_contour(draft, disc); cap >= 0) charts.insert(other_side(draft, cap, disc));
+  if (const int cap = cap_contour(draft, disc); cap >= 0)
+    charts.insert(chart_across(draft.atlas(), cap, disc));
   return charts;
 }
 
@@ -327,7 +352,7 @@ Result<void> apply_edit(Draft& draft, const Add_extremum& edit) {
 }
 
 Result<void> apply_edit(Draft& draft, const Remove_extremum& edit) {
-  const int i = nearest_extremum(draft, edit.at);
+  const int i = draft.extremum_at(edit.at.point);
   if (i < 0) return refuse("there is no extremum");
   const Design_extremum extremum = draft.extrema[i];
   if (edit.scope == Edit_scope::surface) {
@@ -353,7 +378,7 @@ Result<void> apply_edit(Draft& draft, const Remove_extremum& edit) {
 }
 
 Result<void> apply_edit(Draft& draft, const Move_extremum& edit) {
-  const int i = nearest_extremum(draft, edit.from);
+  const int i = draft.extremum_at(edit.from.point);
   if (i < 0) return refuse("there is no extremum");
   const int vertex = draft.vertex_at(edit.to);
   Design_extremum extremum = draft.extrema[i];

@@ -19,11 +19,6 @@ Side side_of(const Draft& draft, int edge, int chart) {
   return draft.atlas().charts_of_edge[edge][0] == chart ? e.left : e.right;
 }
 
-int other_chart(const Draft& draft, int edge, int chart) {
-  const std::array<int, 2> sides = draft.atlas().charts_of_edge[edge];
-  return sides[0] == chart ? sides[1] : sides[0];
-}
-
 // A saddle whose contour is a figure eight that belongs to it alone: chart `trunk` passes it twice, the `branches` once.
 struct Simple_saddle {
   int node = -1, vertex = -1;
@@ -135,12 +130,6 @@ private:
   Chart_parameterization m_map;
 };
 
-void reverse(Contour_edge& edge) {
-  std::reverse(edge.vertices.begin(), edge.vertices.end());
-  std::reverse(edge.faces.begin(), edge.faces.end());
-  std::swap(edge.from, edge.to);
-}
-
 // a ends where b begins.
 Contour_edge joined(Contour_edge a, const Contour_edge& b) {
   a.vertices.insert(a.vertices.end(), b.vertices.begin() + 1, b.vertices.end());
@@ -190,11 +179,9 @@ Result<void> split_in_halves(Draft& draft, const Simple_saddle& s, const Split_s
   std::array<int, 2> lines{};
   for (int i = 0; i < 2; ++i) {
     branch_side[i] = side_of(draft, s.loops[i], s.branches[i]);
-    const bool branch_on_left = draft.atlas().charts_of_edge[s.loops[i]][0] == s.branches[i];
     Result<int> line = draw_level_line(draft, s.branches[i], (*vertices)[i]);
     if (!line) return line.error();
     lines[i] = *line;
-    (void)branch_on_left;
   }
   if (Result<void> cut = draft.cut(); !cut) return cut;
   std::array<Contour_edge, 2> spokes; // from the saddle to the new vertices
@@ -256,7 +243,7 @@ Result<std::array<int, 2>> corners_on_loop(const Draft& draft, int loop,
 }
 
 // A path around a visit of the saddle inside chart `c`, from contour vertex `from` to contour vertex `to` by way of a vertex straight
-// across. `loop` is a contour edge of the walk that passes the visit, which begins `visit` at the saddle.
+// across from number `visit` of the walk on `side`.
 Result<Contour_edge> path_around(Draft& draft, int c, Side side, int visit, double size, int from, int to) {
   Result<Annulus_metric> metric = Annulus_metric::of(draft, c);
   if (!metric) return metric.error();
@@ -352,8 +339,8 @@ Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split
     if (Result<void> added = add(loops[i], false, corner[1 - i][1], corner[i][0]); !added) return added;
   std::map<int, int> node;
   const auto node_at = [&](int vertex) {
-    const auto [found, fresh] = node.emplace(vertex, int(draft.network.nodes.size()));
-    if (fresh) draft.network.nodes.push_back({vertex, Node_kind::quarter_saddle, 0});
+    const auto [found, fresh] = node.emplace(vertex, -1);
+    if (fresh) found->second = add_node(draft.network, vertex, Node_kind::quarter_saddle);
     return found->second;
   };
   for (int i = 0; i < 2; ++i) { // what is left of each loop
@@ -409,7 +396,7 @@ int capped_disc_at(const Draft& draft, const Surface_point& at) {
   if (draft.chart(c).kind == Chart_kind::disc) return c;
   for (const Walk& walk : draft.chart(c).walks) // the annulus beside a cap stands for the whole disc
     if (walk.edges.size() == 1) {
-      const int beyond = other_chart(draft, walk.edges[0].edge, c);
+      const int beyond = chart_across(draft.atlas(), walk.edges[0].edge, c);
       if (beyond >= 0 && cap_contour(draft, beyond) == walk.edges[0].edge) return beyond;
     }
   return -1;
@@ -431,7 +418,7 @@ Result<void> apply_edit(Draft& draft, const Pin_corners& edit) {
   const int cap = c >= 0 ? cap_contour(draft, c) : -1;
   if (cap < 0) return refuse("there is no cap whose corners could be pinned");
   const std::shared_ptr<const Chart> disc = draft.atlas().charts[c];
-  const int annulus = other_chart(draft, cap, c);
+  const int annulus = chart_across(draft.atlas(), cap, c);
   const Walk& outer = draft.chart(annulus).walk(disc->walks[0].side);
   int visits = 0;
   for (const Walk_edge& e : outer.edges) {
@@ -482,9 +469,10 @@ Result<std::array<int, 2>> pole_ends(const Draft& draft, int disc, const std::ve
   return vertices;
 }
 
-// A disc spread on the unit square, its walk by arc length.
-Result<Chart_parameterization> square_map(const Chart& disc) {
-  Result<Chart_parameterization> map = Chart_parameterization::prepare(disc);
+// A disc spread on the unit circle, its walk by arc length.
+Result<Chart_parameterization> round_map(const Draft& draft, const Chart& disc) {
+  Result<Chart_parameterization> map =
+      Chart_parameterization::prepare(disc, clamped_cotangent_weights(disc.mesh), draft.order_of(disc));
   if (!map) return map;
   const std::vector<int>& walk = disc.walks[0].vertices;
   std::vector<double> along(1, 0.0), x, y;
@@ -510,7 +498,7 @@ Result<void> split_in_half_poles(Draft& draft, Design_extremum& extremum, const 
   if (Result<void> cut = draft.cut(); !cut) return cut;
   const int whole = draft.chart_of_vertex(extremum.vertex);
   const std::shared_ptr<const Chart> chart = draft.atlas().charts[whole];
-  Result<Chart_parameterization> map = square_map(*chart);
+  Result<Chart_parameterization> map = round_map(draft, *chart);
   if (!map) return map.error();
   std::array<int, 2> local{{-1, -1}};
   for (int i = 0; i < 2; ++i) {
@@ -525,9 +513,8 @@ Result<void> split_in_half_poles(Draft& draft, Design_extremum& extremum, const 
   if (!segment) return refuse("a line through a chart could not be followed");
   segment->left = segment->right = extremum.is_maximum ? Side::high : Side::low;
   segment->value = extremum.value;
-  segment->from = int(draft.network.nodes.size());
-  segment->to = segment->from + 1;
-  for (int i = 0; i < 2; ++i) draft.network.nodes.push_back({(*ends)[i], Node_kind::half_pole, 0});
+  segment->from = add_node(draft.network, (*ends)[0], Node_kind::half_pole);
+  segment->to = add_node(draft.network, (*ends)[1], Node_kind::half_pole);
   draft.network.edges.push_back(std::move(*segment));
   extremum.segment = int(draft.network.edges.size()) - 1;
   extremum.pole = Pole_kind::half;

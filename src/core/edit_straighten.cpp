@@ -129,7 +129,7 @@ private:
     if (first_face == last_face) return false;
     // Turn around v from the first face away from the run.
     const bool ccw_run =
-        m_surface.target(m_band.exit[0]) == v; // the band keeps v on its ... side: the spoke runs to v
+        m_surface.target(m_band.exit[0]) == v; // the spoke runs to v: the band turns around it ccw
     std::vector<int> exits;
     std::vector<double> t;
     int face = first_face;
@@ -215,13 +215,11 @@ Result<void> apply_edit(Draft& draft, const Straighten_contour& edit) {
   Contour_edge fresh;
   for (std::size_t i = 0; i < band.exit.size(); ++i) {
     const int h = band.exit[i], r = draft.surface().edge(h);
-    fresh.vertices.push_back(draft.network.surface_vertices + int(draft.network.crossings.size()));
-    draft.network.crossings.push_back({r, h == r ? band.t[i] : 1 - band.t[i]});
+    fresh.vertices.push_back(add_crossing(draft.network, {r, h == r ? band.t[i] : 1 - band.t[i]}));
     fresh.faces.push_back(draft.surface().opposite[h] / 3);
   }
   fresh.vertices.push_back(fresh.vertices.front());
-  fresh.from = fresh.to = int(draft.network.nodes.size());
-  draft.network.nodes.push_back({fresh.vertices.front(), Node_kind::regular, 0});
+  fresh.from = fresh.to = add_node(draft.network, fresh.vertices.front());
   return replace_edge(draft, *e, std::move(fresh));
 }
 

@@ -3,6 +3,8 @@
 
 #include "edit_steps.h"
 
+#include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -58,13 +60,6 @@ Edit_report differences(const Design& from, const Design& to) {
   return report;
 }
 
-double total_area(const Triangle_surface& s) {
-  double area = 0;
-  for (const Triangle& t : s.triangles)
-    area += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
-  return area;
-}
-
 } // namespace
 
 struct Editor::Implementation {
@@ -72,16 +67,17 @@ struct Editor::Implementation {
       : input(std::move(surface)), options(editor_options) {}
 
   const Design& design() const { return *states[position]; }
-  Result<Design> changed(const Edit& edit, Observer* observer, Edit_report& report) const {
-    Draft draft(working, *projector, design(), options, observer);
+  Result<Design> changed(const Edit& edit, Observer* observer) const {
+    Draft draft(working, *projector, *solver, design(), options, observer);
     const Result<void> done = std::visit([&](const auto& e) { return apply_edit(draft, e); }, edit);
     if (!done) return done.error();
-    return complete_design(draft, report);
+    return complete_design(draft);
   }
 
   Triangle_surface input, working;
   Editor_options options;
   std::unique_ptr<Surface_projector> projector; // of the working surface
+  std::unique_ptr<Surface_solver> solver;       // of the same
   std::vector<std::shared_ptr<const Design>> states;
   std::vector<Edit> edits; // edit i leads from state i to state i + 1
   int position = 0;
@@ -104,7 +100,7 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
                       "the number of quads or the edge length must be positive");
   auto editor = std::make_unique<Implementation>(std::move(surface), options);
   const double h =
-      options.edge_length > 0 ? options.edge_length : std::sqrt(total_area(editor->input) / options.quads);
+      options.edge_length > 0 ? options.edge_length : std::sqrt(area(editor->input) / options.quads);
   if (options.prepare) {
     Prepare_options prepare;
     prepare.max_edge = h;
@@ -116,6 +112,8 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
     editor->working = editor->input;
   }
   editor->projector = std::make_unique<Surface_projector>(editor->working);
+  editor->solver =
+      std::make_unique<Surface_solver>(editor->working, internal::number_of_threads(options.threads));
   Design first;
   first.network.surface_vertices = editor->working.number_of_vertices();
   first.target_quads = options.edge_length > 0 ? 0 : options.quads;
@@ -130,11 +128,10 @@ Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   if (m.design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
       !std::holds_alternative<Set_extrema>(edit))
     return refuse("the design is empty", "place extrema first");
-  Edit_report report;
-  Result<Design> design = m.changed(edit, observer, report);
+  Result<Design> design = m.changed(edit, observer);
   if (!design) return design.error();
   auto state = std::make_shared<const Design>(std::move(*design));
-  report = differences(m.design(), *state);
+  Edit_report report = differences(m.design(), *state);
   m.states.resize(m.position + 1);
   m.edits.resize(m.position);
   m.states.push_back(std::move(state));
@@ -192,7 +189,7 @@ const Editor_options& Editor::options() const {
 
 int Editor::chart_at(const Surface_point& point) const {
   const Implementation& m = *m_implementation;
-  return Draft(m.working, *m.projector, m.design(), m.options, nullptr).chart_at(point);
+  return Draft(m.working, *m.projector, *m.solver, m.design(), m.options, nullptr).chart_at(point);
 }
 
 Stitched_mesh Editor::quads() const {

@@ -117,8 +117,7 @@ Result<Contour_edge> plane_path(const Triangle_surface& surface, Contour_network
   edge.vertices.push_back(from);
   edge.faces = best->faces;
   for (int exit : best->exits) {
-    edge.vertices.push_back(network.surface_vertices + int(network.crossings.size()));
-    network.crossings.push_back(crossing_of(surface, plane, exit));
+    edge.vertices.push_back(add_crossing(network, crossing_of(surface, plane, exit)));
   }
   edge.vertices.push_back(to);
   return edge;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <thread>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -40,13 +39,6 @@ bool between_discs(const Atlas& atlas, int edge) {
   for (int c : atlas.charts_of_edge[edge])
     if (c < 0 || atlas.charts[c]->kind != Chart_kind::disc) return false;
   return true;
-}
-
-double area(const Triangle_surface& s) {
-  double sum = 0;
-  for (const Triangle& t : s.triangles)
-    sum += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
-  return sum;
 }
 
 // The middle segment of a rectangle that closes on itself may be much shorter than the rectangle is in that direction: its wish is
@@ -156,11 +148,20 @@ Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_
   Harmonic_field harmonic(surface);
   harmonic.set_weights(options.weights);
   harmonic.set_method(options.constraints);
+  return solve_field(surface, harmonic, field);
+}
+
+Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmonic, Designed_field& field) {
+  harmonic.clear_constraints();
   std::vector<int> wanted = field.minima;
   wanted.insert(wanted.end(), field.maxima.begin(), field.maxima.end());
   for (const bool is_maximum : {false, true})
-    for (int v : is_maximum ? field.maxima : field.minima)
-      if (Result<void> set = harmonic.set_constraint(v, is_maximum); !set) return set;
+    for (int v : is_maximum ? field.maxima : field.minima) {
+      const auto value = field.extremal_values.find(v);
+      const Result<void> set =
+          harmonic.set_constraint(v, value != field.extremal_values.end() ? value->second : is_maximum);
+      if (!set) return set;
+    }
   const std::vector<std::vector<int>> loops = boundary_loops(surface);
   for (std::size_t i = 0; i < loops.size(); ++i)
     for (int h : loops[i])
@@ -179,7 +180,7 @@ class Pipeline {
 public:
   Pipeline(const Triangle_surface& input, const Quadrangulation_options& options, Observer* observer)
       : m_input(input), m_options(options), m_clock(observer, m_result.stages) {
-    m_threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    m_threads = internal::number_of_threads(options.threads);
   }
 
   Result<Quadrangulation> run() {
@@ -221,12 +222,8 @@ private:
       m_result.working_surface = m_input;
       return {};
     }
-    double area = 0;
-    for (const Triangle& t : m_input.triangles)
-      area += 0.5 * (m_input.points[t[1]] - m_input.points[t[0]])
-                        .cross(m_input.points[t[2]] - m_input.points[t[0]])
-                        .norm();
-    const double h = m_options.edge_length > 0 ? m_options.edge_length : std::sqrt(area / m_options.quads);
+    const double h =
+        m_options.edge_length > 0 ? m_options.edge_length : std::sqrt(area(m_input) / m_options.quads);
     Prepare_options options;
     options.max_edge = h;
     options.min_edge = 1e-3 * h;
@@ -266,14 +263,13 @@ private:
   // Prepares the maps of the charts that have none yet (`reused[c] < 0`).
   Result<void> prepare_maps(const std::vector<int>& reused) {
     const std::vector<std::shared_ptr<const Chart>>& charts = m_result.layout.atlas.charts;
-    const std::vector<std::vector<int>> orders =
-        elimination_orders(m_result.layout.atlas, m_result.field.elimination_order);
+    const std::vector<int> place = places_in(m_result.field.elimination_order);
     const Result<void> done = for_each_chart([&](int c) -> Result<void> {
       if (reused[c] >= 0) return {};
       Edge_weights weights = m_options.chart_weights ? m_options.chart_weights(*charts[c])
                                                      : clamped_cotangent_weights(charts[c]->mesh);
-      Result<Chart_parameterization> map =
-          Chart_parameterization::prepare(*charts[c], std::move(weights), orders[c]);
+      Result<Chart_parameterization> map = Chart_parameterization::prepare(
+          *charts[c], std::move(weights), elimination_order(*charts[c], place));
       if (!map) return map.error();
       m_maps[c] = std::move(*map);
       return {};
@@ -302,16 +298,8 @@ private:
       if (Result<bool> done = collapse_charts({thin[0]}); !done)
         return done.error();
       else if (!*done)
-        refused.insert(contour_edges(thin[0]));
+        refused.insert(contour_edges(*m_result.layout.atlas.charts[thin[0]]));
     }
-  }
-
-  std::vector<int> contour_edges(int c) const {
-    std::vector<int> edges;
-    for (const Walk& walk : m_result.layout.atlas.charts[c]->walks)
-      for (const Walk_edge& e : walk.edges) edges.push_back(e.edge);
-    std::sort(edges.begin(), edges.end());
-    return edges;
   }
 
   // Charts lower than `height` between contours of saddles alone, lowest first, no two of them on the same contour.
@@ -320,7 +308,7 @@ private:
     std::vector<int> thin;
     for (int c = 0; c < int(layout.atlas.charts.size()); ++c) {
       if (layout.atlas.charts[c]->kind != Chart_kind::annulus || m_result.chart_height[c] >= height) continue;
-      const std::vector<int> edges = contour_edges(c);
+      const std::vector<int> edges = contour_edges(*layout.atlas.charts[c]);
       const bool saddles = std::all_of(edges.begin(), edges.end(), [&](int e) {
         return layout.network.nodes[layout.network.edges[e].from].kind == Node_kind::saddle &&
                layout.network.nodes[layout.network.edges[e].to].kind == Node_kind::saddle;

@@ -117,8 +117,7 @@ Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& ch
   edge.vertices.push_back(start);
   edge.faces.push_back(first_face);
   for (const Line_crossing& c : *line) {
-    edge.vertices.push_back(network.surface_vertices + int(network.crossings.size()));
-    network.crossings.push_back({c.edge, c.t});
+    edge.vertices.push_back(add_crossing(network, {c.edge, c.t}));
     edge.faces.push_back(c.next_face);
   }
   edge.vertices.push_back(end);
@@ -128,13 +127,10 @@ Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& ch
 
 Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& chart,
                                 const Chart_parameterization& map, int from, int to, double turns,
-                                bool reverse, Contour_network& network) {
+                                bool backwards, Contour_network& network) {
   const int p = chart.walks[0].vertices[from], q = chart.walks[1].vertices[to];
   Result<Contour_edge> edge = trace_line(surface, chart, map, p, q, map.v()[q] + turns, network);
-  if (edge && reverse) {
-    std::reverse(edge->vertices.begin(), edge->vertices.end());
-    std::reverse(edge->faces.begin(), edge->faces.end());
-  }
+  if (edge && backwards) reverse(*edge);
   return edge;
 }
 

@@ -248,6 +248,31 @@ TEST_CASE("extrema are edited on the whole surface, too") {
   refused(editor, Change_value{at(0, 0, 1), 2}, "the value of an extremum is between 0 and 1");
 }
 
+TEST_CASE("boundaries stay minima and maxima as they are when extrema are edited on the whole surface") {
+  for (const double up : {1.0, -1.0}) {
+    Suggest turned;
+    turned.axis = Eigen::Vector3d(0, 0, up);
+    Editor editor = session(shape("cylinder", 2000), turned);
+    const auto values = [&] {
+      std::map<bool, double> value; // of the boundaries above and below
+      const Contour_network& network = editor.design().network;
+      for (const Contour_edge& e : network.edges)
+        if (!network.is_removed(e) && network.nodes[e.from].kind == Node_kind::boundary)
+          value[network.position(editor.working_surface(), e.vertices[0]).z() > 1.5] = e.value;
+      return value;
+    };
+    const std::map<bool, double> before = values();
+    REQUIRE(before.size() == 2);
+    REQUIRE(before.at(false) != before.at(true));
+    int side = 0; // the vertex half way up (from 0 to 3)
+    const Triangle_surface& s = editor.working_surface();
+    for (int v = 0; v < s.number_of_vertices(); ++v)
+      if (std::abs(s.points[v].z() - 1.5) < std::abs(s.points[side].z() - 1.5)) side = v;
+    REQUIRE(bool(editor.apply(Add_extremum{{s.points[side], side}, true, Edit_scope::surface, 0.9})));
+    CHECK(values() == before);
+  }
+}
+
 TEST_CASE("a chart is divided by the level line through a vertex, and made whole again") {
   Editor editor = sphere_session();
   const int annulus = chart_at(editor, at(1, 0, 0)).id;

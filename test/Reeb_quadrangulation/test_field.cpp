@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 
 #include "tiny_surfaces.h"
@@ -246,6 +247,35 @@ TEST_CASE("elimination is exact, penalties err by about 1e-8") {
   const double difference = largest_difference(*eliminated, *penalized);
   CHECK(difference < 1e-7);
   CHECK(difference > 1e-12);
+}
+
+TEST_CASE(
+    "a Dirichlet problem gives the field of elimination for any values, and leaves the given ones alone") {
+  const Triangle_surface s = sheared_torus(40, 25, 0.3);
+  const Edge_weights weights = clamped_cotangent_weights(s);
+  std::vector<char> is_fixed(s.number_of_vertices(), 0);
+  for (int v : {0, 512, 700}) is_fixed[v] = 1;
+  std::vector<int> order(s.number_of_vertices() / 2); // and the others after these
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(order.size() - i);
+  for (const std::vector<int>& asked : {std::vector<int>(), order}) {
+    const auto problem = Dirichlet_problem::factorize(s, weights, is_fixed, asked);
+    REQUIRE(bool(problem));
+    for (const double top : {1.0, -2.0}) {
+      Harmonic_field field(s);
+      field.set_weights(weights);
+      std::vector<double> values(s.number_of_vertices(), 99.0);
+      for (const auto& [v, value] : {std::pair(0, 0.0), std::pair(512, top), std::pair(700, 0.75)}) {
+        REQUIRE(bool(field.set_constraint(v, value)));
+        values[v] = value;
+      }
+      REQUIRE(bool(problem->solve(s, values)));
+      CHECK(values[512] == top);
+      CHECK(largest_difference(values, *field.solve()) < 1e-12);
+    }
+  }
+  const auto without = Dirichlet_problem::factorize(s, weights, std::vector<char>(is_fixed.size(), 0));
+  REQUIRE(!without);
+  CHECK(without.error().code == Error_code::solver_failure);
 }
 
 TEST_CASE("constraints that come and go leave the field of those that stay") {

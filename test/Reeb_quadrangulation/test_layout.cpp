@@ -53,11 +53,6 @@ int wanted_loops(const Named_layout& l) {
   return stages::genus(l.surface);
 }
 
-double area(const Triangle_surface& s, int f) {
-  const Triangle& t = s.triangles[f];
-  return 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
-}
-
 } // namespace
 
 TEST_CASE("every region is an annulus from a LOW to a HIGH walk, or a disc with one walk and one extremum") {

@@ -17,13 +17,6 @@ using tiny::connected;
 
 namespace {
 
-double area(const Triangle_surface& s) {
-  double sum = 0;
-  for (const Triangle& t : s.triangles)
-    sum += (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm() / 2;
-  return sum;
-}
-
 double volume(const Triangle_surface& s) {
   double sum = 0;
   for (const Triangle& t : s.triangles) sum += s.points[t[0]].cross(s.points[t[1]]).dot(s.points[t[2]]) / 6;

@@ -30,13 +30,6 @@ int genus(const Triangle_surface& s) {
   return (2 - int(boundary_loops(s).size()) - euler_characteristic(s)) / 2;
 }
 
-double area(const Triangle_surface& s) {
-  double sum = 0;
-  for (const Triangle& t : s.triangles)
-    sum += (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm() / 2;
-  return sum;
-}
-
 double volume(const Triangle_surface& s) {
   double sum = 0;
   for (const Triangle& t : s.triangles) sum += s.points[t[0]].dot(s.points[t[1]].cross(s.points[t[2]])) / 6;

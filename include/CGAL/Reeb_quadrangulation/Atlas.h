@@ -61,6 +61,12 @@ Result<Atlas> update_atlas(const Triangle_surface& surface, const Contour_networ
                            const std::vector<int>& extrema, const Atlas& previous,
                            const std::vector<int>& changed, std::vector<int>* reused = nullptr);
 
+/// The chart on the other side of a contour edge, or -1 outside the surface.
+int chart_across(const Atlas& atlas, int edge, int chart);
+
+/// The contour edges on a chart's walks, in increasing order; one that is passed twice, twice.
+std::vector<int> contour_edges(const Chart& chart);
+
 /// The faces of the surface that some charts have a part of, in increasing order. O(F) bits and O(faces of the charts).
 std::vector<int> faces_of_charts(const Triangle_surface& surface, const Atlas& atlas,
                                  const std::vector<int>& charts);

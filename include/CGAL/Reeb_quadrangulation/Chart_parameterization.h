@@ -3,10 +3,8 @@
 #define CGAL_REEB_QUADRANGULATION_CHART_PARAMETERIZATION_H
 
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
-#include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
-#include <CGAL/Reeb_quadrangulation/laplacian.h>
+#include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -40,7 +38,7 @@ public:
   /// edge differ: only symmetric positive weights keep the map from folding.
   ///
   /// `elimination_order` may list vertices of the chart, each once, in an order in which the solver does well to eliminate them,
-  /// as `elimination_orders()` gives it; vertices that it leaves out follow. Without it an order is searched for.
+  /// as `elimination_order()` gives it; vertices that it leaves out follow. Without it an order is searched for.
   static Result<Chart_parameterization> prepare(const Chart& chart, Edge_weights weights,
                                                 const std::vector<int>& elimination_order = {});
 
@@ -68,17 +66,13 @@ public:
   int flipped(const Chart& chart) const;
 
 private:
-  Result<void> factorize(const std::vector<int>& elimination_order);
   Result<void> solve_u(const Chart& chart);
   void choose_seam(const Chart& chart);
   void integrate_flux(const Chart& chart);
   void measure_profile(const Chart& chart);
   std::vector<double> lifted(const Chart& chart, int walk, const std::vector<double>& values) const;
-  Result<void> dirichlet(const Chart& chart, std::vector<double>& values, bool with_jumps) const;
 
-  Edge_weights m_weights;
-  Laplace_system m_system;
-  std::shared_ptr<Multifrontal_solver> m_solver; // shared by copies, which differ in V alone
+  Dirichlet_problem m_problem; // shared by copies, which differ in V alone
   std::vector<double> m_u, m_v;
   std::vector<signed char> m_jump;
   std::array<int, 2> m_seam_vertex{{0, 0}}; // per walk: index of the first vertex east of the seam
@@ -86,10 +80,13 @@ private:
   Height_profile m_profile;
 };
 
-/// For each chart its inner vertices that are vertices of the surface, in the surface's `order` of elimination
-/// (`Harmonic_field::elimination_order()`): the charts' systems are parts of the field's, so that what was found for
-/// it serves them too. Linear.
-std::vector<std::vector<int>> elimination_orders(const Atlas& atlas, const std::vector<int>& order);
+/// The inner vertices of a chart that are vertices of the surface, in the surface's order of elimination, where vertex `v` has
+/// the place `place[v]`: the charts' systems are parts of the field's, so that the order found for it serves them too.
+/// O(n log n).
+std::vector<int> elimination_order(const Chart& chart, const std::vector<int>& place);
+
+/// The inverse of an order, which lists all vertices, such as `Harmonic_field::elimination_order()`.
+std::vector<int> places_in(const std::vector<int>& order);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

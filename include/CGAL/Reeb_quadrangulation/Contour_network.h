@@ -63,6 +63,18 @@ struct Contour_network {
 /// The points of all network vertices, by their numbers. O(V + crossings)
 std::vector<Point> network_points(const Triangle_surface& surface, const Contour_network& network);
 
+/// Adds a crossing and returns its network vertex.
+int add_crossing(Contour_network& network, const Edge_crossing& crossing);
+
+/// Adds a node at a network vertex and returns its index.
+int add_node(Contour_network& network, int vertex, Node_kind kind = Node_kind::regular);
+
+/// Per node: whether a contour edge begins or ends there.
+std::vector<char> nodes_in_use(const Contour_network& network);
+
+/// Turns a contour edge around; its sides' declarations stay.
+void reverse(Contour_edge& edge);
+
 /// Removes a contour edge and its crossings. Its nodes stay.
 void remove_edge(Contour_network& network, int edge);
 

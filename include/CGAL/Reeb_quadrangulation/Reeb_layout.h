@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
 
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -16,6 +17,7 @@ struct Designed_field {
   std::vector<bool> boundary_is_maximum; ///< per loop of `boundary_loops()`: the field is constant on each
   /// The vertices as `Harmonic_field::elimination_order()` gives them, or none. The charts' systems take it over.
   std::vector<int> elimination_order = {};
+  std::map<int, double> extremal_values = {}; ///< of the extrema whose value is not 0 (minima) or 1 (maxima)
 };
 
 /// The Reeb atlas of a field: the surface cut along its critical contours and its caps.

@@ -59,6 +59,10 @@ std::vector<std::vector<int>> boundary_loops(const Triangle_surface& surface);
 /// Component of each face and their number; numbered by their smallest face.
 std::pair<std::vector<int>, int> connected_components(const Triangle_surface& surface);
 
+/// Area of a triangle, and of all of them in the order of their numbers.
+double area(const Triangle_surface& surface, int face);
+double area(const Triangle_surface& surface);
+
 /// A quad mesh as flat arrays; quads are oriented counterclockwise seen from outside.
 struct Quad_mesh {
   std::vector<Point> points;

@@ -27,9 +27,6 @@ struct Metric_graph {
   int size() const { return int(vertex.size()); }
 };
 
-/// Total area of the triangles.
-double area(const Triangle_surface& surface);
-
 /// Reduces a surface to a graph of about `nodes` nodes.
 ///
 /// The centres are a Poisson-disc sample of the vertices (no two touching patches have centres nearer than a

@@ -107,9 +107,11 @@ Result<Designed_field> choose_extrema(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
 
-/// Fills in `field.values`: harmonic, 0 at minima and 1 at maxima. Fails with `solver_failure`.
+/// Fills in `field.values`: harmonic, with `extremal_values`, else 0 at minima and 1 at maxima. Fails with `solver_failure`.
 Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_options& options,
                          Designed_field& field);
+/// The same by a field on this surface that keeps its factorization; its constraints are replaced.
+Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmonic, Designed_field& field);
 
 /// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left out: its edge `i` is
 /// contour edge `edges[i]` of the network. `points` are those of the network's vertices.

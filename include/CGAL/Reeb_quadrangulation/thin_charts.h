@@ -11,12 +11,12 @@ namespace Reeb_quadrangulation {
 
 /// Traces the straight line in an annulus's plane from a LOW walk vertex to a HIGH walk vertex as a contour edge of the network:
 /// sides are decided once for each vertex, crossings are reduced to those with edges of the original surface, and it is pulled tight.
-/// `from` and `to` index `Walk::vertices`; `turns` is added to the V of `to`. With `reverse` the line runs from the HIGH vertex to the
+/// `from` and `to` index `Walk::vertices`; `turns` is added to the V of `to`. With `backwards` the line runs from the HIGH vertex to the
 /// LOW one. The map must have been solved for V. New crossings are appended to the network, between the existing ones.
 /// Fails with `impossible_request` if rounding in a very long chart leads the line astray.
 Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& chart,
                                 const Chart_parameterization& map, int from, int to, double turns,
-                                bool reverse, Contour_network& network);
+                                bool backwards, Contour_network& network);
 
 /// The same between any two vertices of a chart (an annulus or a disc) that is solved for V: from `p` to `q`, whose V is `end_v` as seen
 /// from p along the line.

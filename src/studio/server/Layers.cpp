@@ -90,9 +90,7 @@ Frame critical_frame(const Layer_source& source) {
     multiplicities.push_back(std::uint8_t(std::min(multiplicity, 255)));
   };
   for (const Design_extremum& e : source.design->extrema) add(e.vertex, e.is_maximum ? 2 : 0, 0);
-  std::vector<char> used(network.nodes.size(), false);
-  for (const Contour_edge& edge : network.edges)
-    if (!network.is_removed(edge)) used[edge.from] = used[edge.to] = true;
+  const std::vector<char> used = nodes_in_use(network);
   for (std::size_t i = 0; i < network.nodes.size(); ++i) {
     const Contour_node& node = network.nodes[i];
     if (!used[i]) continue;

@@ -13,6 +13,11 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
+/// As many as asked for, or as the machine has if `asked` is 0.
+inline int number_of_threads(int asked) {
+  return asked > 0 ? asked : int(std::max(1u, std::thread::hardware_concurrency()));
+}
+
 /// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, in increasing order of start. The first exception
 /// is thrown again when all threads have ended.
 template <class Work> void parallel_for(int n, int threads, const Work& work) {
