@@ -6,6 +6,7 @@
 /// Includes every public header of the package.
 
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
+#include <CGAL/Reeb_quadrangulation/Chart_locator.h>
 #include <CGAL/Reeb_quadrangulation/Chart_parameterization.h>
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Contour_network.h>

@@ -73,11 +73,9 @@ Result<void> check_contour_edges(const Placed_texture& placed, const Chart& char
   return {};
 }
 
-} // namespace
-
-Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
-                                    const Chart_parameterization& map, const Contour_samples& samples,
-                                    const Texture_edit& edit) {
+// The texture after an edit, and where its sides' vertices lie; its vertices have no places on the chart yet.
+Result<Placed_texture> edit_in_plane(const Placed_texture& placed, const Chart& chart,
+                                     const Contour_samples& samples, const Texture_edit& edit) {
   Texture_limits limits;
   for (std::size_t w = 0; w < chart.walks.size(); ++w)
     limits.kept.push_back(nodes_of_side(placed, chart.walks[w], int(w), samples));
@@ -96,7 +94,24 @@ Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& c
   }
   out.texture = std::move(edited->texture);
   if (Result<void> checked = check_contour_edges(out, chart, samples); !checked) return checked.error();
-  out.location = locate(chart, map, out.texture.v, out.texture.u);
+  return out;
+}
+
+} // namespace
+
+Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
+                                    const Chart_parameterization& map, const Contour_samples& samples,
+                                    const Texture_edit& edit) {
+  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edit);
+  if (out) out->location = locate(chart, map, out->texture.v, out->texture.u);
+  return out;
+}
+
+Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
+                                    const Chart_locator& locator, const Contour_samples& samples,
+                                    const Texture_edit& edit) {
+  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edit);
+  if (out) out->location = locator.locate(out->texture.v, out->texture.u);
   return out;
 }
 

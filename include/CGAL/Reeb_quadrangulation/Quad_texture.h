@@ -2,7 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_QUAD_TEXTURE_H
 #define CGAL_REEB_QUADRANGULATION_QUAD_TEXTURE_H
 
-#include <CGAL/Reeb_quadrangulation/Chart_parameterization.h>
+#include <CGAL/Reeb_quadrangulation/Chart_locator.h>
 
 #include <functional>
 #include <vector>
@@ -49,20 +49,9 @@ struct Texture_maker {
 /// O(Q log Q). A disc's side runs clockwise if `clockwise`.
 Result<void> check_texture(const Quad_texture& texture, const std::vector<int>& samples, bool clockwise);
 
-/// A place on a chart: a face and barycentric coordinates in it.
-struct Chart_location {
-  int face = -1;
-  std::array<double, 3> weights{{0, 0, 0}};
-};
-
-/// Finds the places with the given parameters, all at once: O(F + n) for evenly spread points by bucketing them. Every point of the
-/// domain is found; one that rounding left between triangles, or outside where a disc's border cuts off a corner of the rectangle,
-/// is put on the border of the triangle that it misses least.
+/// Finds the places with the given parameters by a `Chart_locator` that is built for them alone: O(F + n).
 std::vector<Chart_location> locate(const Chart& chart, const Chart_parameterization& map,
                                    const std::vector<double>& v, const std::vector<double>& u);
-
-/// The point of a location.
-Point position(const Chart& chart, const Chart_location& location);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

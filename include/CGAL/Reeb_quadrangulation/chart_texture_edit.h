@@ -17,6 +17,11 @@ Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& c
                                     const Chart_parameterization& map, const Contour_samples& samples,
                                     const Texture_edit& edit);
 
+/// The same with a locator of the chart that is kept from edit to edit: O(Q) for Q quads, whatever the chart's size.
+Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
+                                    const Chart_locator& locator, const Contour_samples& samples,
+                                    const Texture_edit& edit);
+
 /// A polychord to be inserted in a chart.
 struct Chart_polychord {
   int chart = -1;
