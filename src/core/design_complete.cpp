@@ -2,6 +2,7 @@
 // From contours to textures: what is new in a draft is mapped, sampled and filled.
 #include "design_draft.h"
 
+#include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
@@ -171,12 +172,24 @@ private:
     std::vector<int> changed;
     for (int c = 0; c < number_of_charts(); ++c) {
       const Design_chart* old = old_chart(c);
-      if (old && old->settings == m_settings[c] && old->grid == m_grid[c] && same_counts(c))
+      const bool kept = old && !m_draft.reset_textures.count(old->id);
+      if (kept && old->settings == m_settings[c] && old->grid == m_grid[c] && same_counts(c))
         m_design.charts[c] = m_before.charts[m_draft.origin(c)];
+      else if (kept && old->edited)
+        keep_texture(c);
       else
         changed.push_back(c);
     }
     return for_each(changed, [&](int c) { return fill(c); });
+  }
+
+  // The user's texture stays in its place, whatever the counts around it are now.
+  void keep_texture(int c) {
+    auto made = std::make_shared<Design_chart>(*old_chart(c));
+    made->texture = with_counts(made->texture, *made->chart, m_before.samples, m_design.samples);
+    made->grid = m_grid[c];
+    made->settings = m_settings[c];
+    m_design.charts[c] = std::move(made);
   }
 
   Result<void> fill(int c) {

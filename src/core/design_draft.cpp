@@ -188,14 +188,13 @@ double squared_distance_to_segment(const Point& p, const Point& a, const Point& 
   return (a + std::min(1.0, std::max(0.0, t)) * d - p).squaredNorm();
 }
 
-// How far a point in the plane of a triangle lies outside, negative inside.
-double outside(const Point& p, const Point& a, const Point& b, const Point& c) {
+// The barycentric coordinates of a point in the plane of a triangle; minus infinity if that has no area.
+std::array<double, 3> weights_in(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Point n = (b - a).cross(c - a);
-  const double area = n.squaredNorm();
-  if (!(area > 0)) return std::numeric_limits<double>::infinity();
-  const double u = (b - p).cross(c - p).dot(n), v = (c - p).cross(a - p).dot(n),
-               w = (a - p).cross(b - p).dot(n);
-  return -std::min({u, v, w}) / area;
+  const double area = n.squaredNorm(), nowhere = -std::numeric_limits<double>::infinity();
+  if (!(area > 0)) return {nowhere, nowhere, nowhere};
+  return {(b - p).cross(c - p).dot(n) / area, (c - p).cross(a - p).dot(n) / area,
+          (a - p).cross(b - p).dot(n) / area};
 }
 
 } // namespace
@@ -204,19 +203,24 @@ int Draft::chart_at(const Surface_point& at) const {
   if (m_atlas.charts.empty()) return -1;
   if (at.vertex >= 0 && at.vertex < m_surface.number_of_vertices() && m_surface.points[at.vertex] == at.point)
     if (const int c = chart_of_vertex(at.vertex); c >= 0) return c;
-  const Closest_point closest = m_projector.closest(at.point);
-  int best = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < m_atlas.charts.size(); ++c) {
+  return chart_point_at(at.point).chart;
+}
+
+Chart_point Draft::chart_point_at(const Point& point, int only) const {
+  const Closest_point closest = m_projector.closest(point);
+  Chart_point best;
+  double inside = -std::numeric_limits<double>::infinity();
+  for (int c = only < 0 ? 0 : only; c < (only < 0 ? int(m_atlas.charts.size()) : only + 1); ++c) {
     const Chart& chart = *m_atlas.charts[c];
     for (std::size_t f = 0; f < chart.face_origin.size(); ++f) {
       if (chart.face_origin[f] != closest.face) continue;
       const Triangle& t = chart.mesh.triangles[f];
-      const double m =
-          outside(closest.point, chart.mesh.points[t[0]], chart.mesh.points[t[1]], chart.mesh.points[t[2]]);
-      if (best >= 0 && m >= least) continue;
-      least = m;
-      best = int(c);
+      const std::array<double, 3> weights = weights_in(closest.point, chart.mesh.points[t[0]],
+                                                       chart.mesh.points[t[1]], chart.mesh.points[t[2]]);
+      const double least = *std::min_element(weights.begin(), weights.end());
+      if (best.chart >= 0 && !(least > inside)) continue;
+      inside = least;
+      best = {c, closest.point, {int(f), weights}};
     }
   }
   return best;

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,13 @@ private:
   std::vector<int> m_places;
 };
 
+/// A point as it lies in a chart; chart -1 if it does not.
+struct Chart_point {
+  int chart = -1;
+  Point point = Point::Zero();
+  Chart_location location;
+};
+
 /// A copy of a design's contours and settings that an edit works on, cut into charts whenever it asks. Thrown away if the edit is
 /// refused.
 class Draft {
@@ -54,7 +62,8 @@ public:
   std::map<int, Chart_settings> settings; ///< by identity, of the charts of the design before
   int target_quads = 0;
   double edge_length = 0;
-  bool resample = false; ///< choose all counts anew for the target, not near the old ones
+  bool resample = false;        ///< choose all counts anew for the target, not near the old ones
+  std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
 
   /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
   Result<void> cut();
@@ -79,6 +88,8 @@ public:
   /// @{
   int vertex_at(const Surface_point& point) const;
   int chart_at(const Surface_point& point) const;
+  /// The nearest point of the surface, in the chart that contains it, or in the one given.
+  Chart_point chart_point_at(const Point& point, int chart = -1) const;
   int chart_of_vertex(int vertex) const;     ///< -1 on a contour
   int contour_at(const Point& point) const;  ///< a contour edge, or -1
   int extremum_at(const Point& point) const; ///< index into `extrema`, or -1
@@ -108,6 +119,12 @@ private:
   std::vector<int> m_origin;
   std::vector<char> m_was_cut; // per contour edge: whether the atlas knows it
 };
+
+bool has_edited_texture(const Design& design);
+
+/// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads of locked charts are not split.
+Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surface_projector& projector,
+                                    const Design& design);
 
 /// Samples, maps and fills what the draft has new, and makes it a design. Fails like an edit.
 Result<Design> complete_design(Draft& draft);

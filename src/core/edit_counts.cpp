@@ -20,9 +20,16 @@ Result<Chart_settings*> settings_at(Draft& draft, const Surface_point& at, bool 
   return &draft.settings[chart.id];
 }
 
+Error edited_texture(const Draft& draft, int c) {
+  return refuse("the chart's texture has been edited", "reset it first", Element_kind::chart,
+                draft.before().charts[draft.origin(c)]->id);
+}
+
 Result<Chart_settings*> unlocked_settings_at(Draft& draft, const Surface_point& at) {
   Result<Chart_settings*> settings = settings_at(draft, at, true);
   if (settings && (*settings)->locked) return refuse("the edit would change a locked chart");
+  if (const int c = draft.chart_at(at); settings && draft.before().charts[draft.origin(c)]->edited)
+    return edited_texture(draft, c);
   return settings;
 }
 
@@ -103,6 +110,7 @@ Result<void> apply_edit(Draft& draft, const Move_corner& edit) {
     return refuse("there is no cap with corners to move");
   const Design_chart& old = *draft.before().charts[draft.origin(c)];
   if (old.settings.locked) return refuse("the edit would change a locked chart");
+  if (old.edited) return edited_texture(draft, c);
   const Chart& chart = draft.chart(c);
   const std::vector<double> x = walk_coordinates(chart.walks[0], draft.before().samples);
   const int n = int(std::lround(x.back()));

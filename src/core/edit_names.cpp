@@ -32,6 +32,11 @@ struct Namer {
   const char* operator()(const Set_shift&) const { return "set_shift"; }
   const char* operator()(const Set_grading&) const { return "set_grading"; }
   const char* operator()(const Lock_chart&) const { return "lock_chart"; }
+  const char* operator()(const Edit_texture&) const { return "edit_texture"; }
+  const char* operator()(const Drag_vertices&) const { return "drag_vertices"; }
+  const char* operator()(const Relax_texture&) const { return "relax_texture"; }
+  const char* operator()(const Snap_vertices&) const { return "snap_vertices"; }
+  const char* operator()(const Reset_texture&) const { return "reset_texture"; }
 };
 
 } // namespace

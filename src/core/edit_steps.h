@@ -35,6 +35,16 @@ Result<void> apply_edit(Draft& draft, const Set_rows& edit);
 Result<void> apply_edit(Draft& draft, const Set_shift& edit);
 Result<void> apply_edit(Draft& draft, const Set_grading& edit);
 Result<void> apply_edit(Draft& draft, const Lock_chart& edit);
+Result<void> apply_edit(Draft& draft, const Reset_texture& edit);
+
+/// \name Textures
+/// The design with other textures: contours and counts stay.
+/// @{
+Result<Design> with_texture(const Draft& draft, const Edit_texture& edit);
+Result<Design> with_texture(const Draft& draft, const Drag_vertices& edit);
+Result<Design> with_texture(const Draft& draft, const Relax_texture& edit);
+Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit);
+/// @}
 
 /// \name Parts of edits
 /// @{

@@ -46,8 +46,11 @@ Edit_report differences(const Design& from, const Design& to) {
     else if (found->second != chart)
       report.remeshed_charts.push_back(id);
   }
-  for (const auto& entry : before)
-    if (!after.count(entry.first)) report.removed_charts.push_back(entry.first);
+  for (const auto& [id, chart] : before) {
+    if (after.count(id)) continue;
+    report.removed_charts.push_back(id);
+    if (chart->edited) report.lost_textures.push_back(id);
+  }
   const auto lives = [](const Design& d, std::size_t e) {
     return e < d.network.edges.size() && !d.network.is_removed(d.network.edges[e]);
   };
@@ -60,6 +63,24 @@ Edit_report differences(const Design& from, const Design& to) {
   return report;
 }
 
+// A design after an edit of a draft.
+template <class Edit_kind> Result<Design> next_design(Draft& draft, const Edit_kind& edit) {
+  if (Result<void> done = apply_edit(draft, edit); !done) return done.error();
+  return complete_design(draft);
+}
+Result<Design> next_design(Draft& draft, const Edit_texture& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Drag_vertices& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Relax_texture& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Snap_vertices& edit) {
+  return with_texture(draft, edit);
+}
+
 } // namespace
 
 struct Editor::Implementation {
@@ -69,9 +90,11 @@ struct Editor::Implementation {
   const Design& design() const { return *states[position]; }
   Result<Design> changed(const Edit& edit, Observer* observer) const {
     Draft draft(working, *projector, *solver, design(), options, observer);
-    const Result<void> done = std::visit([&](const auto& e) { return apply_edit(draft, e); }, edit);
-    if (!done) return done.error();
-    return complete_design(draft);
+    Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
+    if (!next || !has_edited_texture(*next)) return next;
+    if (Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next); !stitched)
+      return stitched.error();
+    return next;
   }
 
   Triangle_surface input, working;
@@ -195,9 +218,9 @@ int Editor::chart_at(const Surface_point& point) const {
 Stitched_mesh Editor::quads() const {
   const Design& d = design();
   if (d.charts.empty()) return {};
-  std::vector<const Placed_texture*> textures;
-  for (const auto& chart : d.charts) textures.push_back(&chart->texture);
-  return stitch(network_points(working_surface(), d.network), d.network, d.atlas, d.samples, textures);
+  Result<Stitched_mesh> stitched = stitch_design(working_surface(), *m_implementation->projector, d);
+  CGAL_assertion(bool(stitched)); // else the edit would have been refused
+  return std::move(*stitched);
 }
 
 Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, const Snap_options& features,

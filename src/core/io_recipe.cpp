@@ -127,6 +127,36 @@ template <class F> void fields(F& f, Lock_chart& e) {
   f("at", e.at);
   f.optional("locked", e.locked);
 }
+template <class F> void fields(F& f, Edit_texture& e) {
+  f("operator", e.operation);
+  f("points", e.points);
+  f.optional("fraction", e.fraction);
+  f.optional("scope", e.scope);
+}
+template <class F> void fields(F& f, Drag_vertices& e) {
+  f("points", e.points);
+  f("to", e.to);
+  f.optional("radius", e.radius);
+  f.optional("falloff", e.falloff);
+  f.optional("rings", e.rings);
+  f.optional("steps", e.steps);
+  f.optional("anchors", e.anchors);
+}
+template <class F> void fields(F& f, Relax_texture& e) {
+  f("at", e.at);
+  f.optional("steps", e.steps);
+  f.optional("radius", e.radius);
+  f.optional("anchors", e.anchors);
+  f.optional("scope", e.scope);
+}
+template <class F> void fields(F& f, Snap_vertices& e) {
+  f("points", e.points);
+  f.optional("feature_angle", e.feature_angle);
+}
+template <class F> void fields(F& f, Reset_texture& e) {
+  f("at", e.at);
+  f.optional("scope", e.scope);
+}
 template <class F> void fields(F& f, Editor_options& o) {
   f("quads", o.quads);
   f.optional("edge_length", o.edge_length);
@@ -139,6 +169,13 @@ template <class E> struct Names;
 template <> struct Names<Edit_scope> { static constexpr const char* of[] = {"chart", "surface"}; };
 template <> struct Names<Pole_kind> { static constexpr const char* of[] = {"whole", "half", "quarter"}; };
 template <> struct Names<Saddle_kind> { static constexpr const char* of[] = {"half", "quarter"}; };
+template <> struct Names<Falloff> { static constexpr const char* of[] = {"constant", "linear", "smooth"}; };
+template <> struct Names<Texture_operator> {
+  static constexpr const char* of[] = {
+      "subdivide",      "coarsen",        "insert_polychord", "delete_polychord", "inset_quads",
+      "open_quad",      "close_quad",     "rotate_edge",      "rotate_edge_back", "rotate_vertex",
+      "insert_doublet", "remove_doublet", "delete_quads",     "restore_quads"};
+};
 
 class Writer {
 public:

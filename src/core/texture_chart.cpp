@@ -18,7 +18,8 @@ int number_of_samples(const Walk& walk, const Contour_samples& samples) {
 // The place on the walk, in samples from its first node, of a number of steps along the texture's side.
 double on_walk(const Placed_texture& placed, int w, double step, int samples) {
   double at = step + ((-placed.offset[w] % samples) + samples) % samples;
-  return at >= samples ? at - samples : at;
+  while (at >= samples) at -= samples;
+  return at;
 }
 
 // The entries of a side that lie at the contours' nodes.
@@ -229,19 +230,86 @@ polychord_through_charts(const Atlas& atlas, const Contour_samples& samples,
   return out;
 }
 
+namespace {
+
+// The two edges of a triangle that leave its first vertex, in (V, U), as columns.
+Eigen::Matrix2d parameter_edges(const Chart& chart, const Chart_parameterization& map, int face) {
+  const Triangle& t = chart.mesh.triangles[face];
+  Eigen::Matrix2d m;
+  m << map.v()[t[1]] + map.jump(3 * face) - map.v()[t[0]],
+      map.v()[t[2]] - map.jump(3 * face + 2) - map.v()[t[0]], map.u()[t[1]] - map.u()[t[0]],
+      map.u()[t[2]] - map.u()[t[0]];
+  return m;
+}
+
+} // namespace
+
+Eigen::Vector2d parameters(const Chart& chart, const Chart_parameterization& map,
+                           const Chart_location& location) {
+  const int first = chart.mesh.triangles[location.face][0];
+  return Eigen::Vector2d(map.v()[first], map.u()[first]) +
+         parameter_edges(chart, map, location.face) *
+             Eigen::Vector2d(location.weights[1], location.weights[2]);
+}
+
+Placed_texture with_counts(const Placed_texture& placed, const Chart& chart, const Contour_samples& before,
+                           const Contour_samples& after) {
+  Placed_texture out = placed;
+  for (std::size_t w = 0; w < chart.walks.size(); ++w) {
+    const Walk& walk = chart.walks[w];
+    const int n = number_of_samples(walk, before), m = number_of_samples(walk, after);
+    // From the number of samples along the walk before to that after.
+    const auto converted = [&](double at) {
+      double begin = 0;
+      for (const Walk_edge& we : walk.edges) {
+        const int old = before.counts[we.edge], now = after.counts[we.edge];
+        if (at < old) {
+          const double x = at * now / old, whole = std::round(x);
+          return begin + (at == 0 || (whole > 0 && whole < now && std::abs(x - whole) < 1e-9) ? whole : x);
+        }
+        at -= old;
+        begin += now;
+      }
+      return begin;
+    };
+    std::vector<double> steps;
+    for (int i = 0; i < int(placed.texture.sides[w].size()); ++i) {
+      const double at = converted(on_walk(placed, int(w), placed.step(int(w), i), n));
+      steps.push_back(steps.empty() || at >= steps.front() ? at : at + m);
+    }
+    const int whole = int(std::floor(steps.front()));
+    bool plain = int(steps.size()) == m;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      steps[i] -= whole;
+      plain = plain && steps[i] == double(i);
+    }
+    out.offset[w] = -whole;
+    out.steps[w] = plain ? std::vector<double>() : std::move(steps);
+  }
+  return out;
+}
+
 Eigen::Vector2d parameter_displacement(const Chart& chart, const Chart_parameterization& map,
                                        const Chart_location& location, const Eigen::Vector3d& displacement) {
   const Triangle& t = chart.mesh.triangles[location.face];
-  const int h = 3 * location.face;
   const Eigen::Vector3d e1 = chart.mesh.points[t[1]] - chart.mesh.points[t[0]],
                         e2 = chart.mesh.points[t[2]] - chart.mesh.points[t[0]];
   const double a = e1.dot(e1), b = e1.dot(e2), c = e2.dot(e2), det = a * c - b * b;
   if (!(det > 0)) return Eigen::Vector2d::Zero();
   const double x = e1.dot(displacement), y = e2.dot(displacement);
   const double s = (c * x - b * y) / det, r = (a * y - b * x) / det;
-  const Eigen::Vector2d d1(map.v()[t[1]] + map.jump(h) - map.v()[t[0]], map.u()[t[1]] - map.u()[t[0]]),
-      d2(map.v()[t[2]] - map.jump(h + 2) - map.v()[t[0]], map.u()[t[2]] - map.u()[t[0]]);
-  return s * d1 + r * d2;
+  return parameter_edges(chart, map, location.face) * Eigen::Vector2d(s, r);
+}
+
+Eigen::Vector2d parameter_lengths(const Chart& chart, const Chart_parameterization& map,
+                                  const Chart_location& location) {
+  const Triangle& t = chart.mesh.triangles[location.face];
+  const Eigen::Matrix2d edges = parameter_edges(chart, map, location.face);
+  if (!(edges.determinant() > 0)) return Eigen::Vector2d::Zero();
+  const Eigen::Matrix2d steps = edges.inverse(); // a unit of V, of U in edges of the triangle
+  const Eigen::Vector3d e1 = chart.mesh.points[t[1]] - chart.mesh.points[t[0]],
+                        e2 = chart.mesh.points[t[2]] - chart.mesh.points[t[0]];
+  return {(steps(0, 0) * e1 + steps(1, 0) * e2).norm(), (steps(0, 1) * e1 + steps(1, 1) * e2).norm()};
 }
 
 } // namespace Reeb_quadrangulation

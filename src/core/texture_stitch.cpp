@@ -82,7 +82,7 @@ private:
       std::vector<Stop> stops;
       for (int i = 0; i < int(side.size()); ++i) {
         double at = placed.step(int(w), i) + modulo(-placed.offset[w], samples);
-        if (at >= samples) at -= samples;
+        while (at >= samples) at -= samples;
         stops.push_back({at, side[i]});
       }
       std::sort(stops.begin(), stops.end(), [](const Stop& x, const Stop& y) { return x.at < y.at; });
@@ -224,8 +224,10 @@ private:
       CGAL_assertion(h >= 0);
       hanging.push_back({h / 4, h & 3, e.between});
     }
+    const int before = int(m_out.mesh.points.size());
     Result<Resolved_mesh> resolved = resolve_t_junctions(m_out.mesh, hanging, options);
     if (!resolved) return resolved.error();
+    for (int v = before; v < int(resolved->mesh.points.size()); ++v) m_out.interpolated.push_back(v);
     m_out.mesh = std::move(resolved->mesh);
     m_out.extraordinary = std::move(resolved->extraordinary);
     m_valence.resize(m_out.mesh.points.size(), 0);
@@ -274,10 +276,11 @@ private:
     for (Quad& q : quads)
       for (int& v : q) v = number[v];
     for (int& v : m_out.node_vertex) v = v < 0 ? -1 : number[v];
-    std::vector<int> extraordinary;
-    for (int v : m_out.extraordinary)
-      if (number[v] >= 0) extraordinary.push_back(number[v]);
-    m_out.extraordinary = std::move(extraordinary);
+    for (std::vector<int>* list : {&m_out.extraordinary, &m_out.interpolated}) {
+      list->erase(std::remove_if(list->begin(), list->end(), [&](int v) { return number[v] < 0; }),
+                  list->end());
+      for (int& v : *list) v = number[v];
+    }
     m_out.mesh.quads = std::move(quads);
     m_out.chart_of_quad = std::move(chart);
     return {};

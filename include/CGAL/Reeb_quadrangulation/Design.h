@@ -48,10 +48,15 @@ struct Design_chart {
   std::shared_ptr<const Chart> chart;
   std::shared_ptr<const Chart_parameterization> map; ///< of an annulus, with V solved for the present counts
   Placed_texture texture;
-  std::array<int, 2> grid{{0, 0}}; ///< columns and rows
+  bool edited = false;             ///< the texture is the user's, no longer the regular one of `grid`
+  std::array<int, 2> grid{{0, 0}}; ///< columns and rows of a regular texture
   double height = 0;               ///< of an annulus
   Chart_settings settings;
 };
+
+/// A point on the surface that means a place of a chart's texture, for edits: see `edge_place()` and its like. \pre The place is a
+/// point (V, U).
+Surface_point surface_point(const Design_chart& chart, const Texture_place& place);
 
 /// The state of a design: everything that the quad mesh follows from.
 struct Design {

@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_EDIT_H
 #define CGAL_REEB_QUADRANGULATION_EDIT_H
 
+#include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 
 #include <array>
@@ -187,11 +188,73 @@ struct Lock_chart {
 };
 /// @}
 
-using Edit = std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
-                          Move_contour, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
-                          Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole,
-                          Move_corner, Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows,
-                          Set_shift, Set_grading, Lock_chart>;
+/// \name Connectivity textures
+/// Points mean the quad of a chart's texture that contains them, its edge or its vertex that is nearest in the chart's map; all points of
+/// an edit lie in one chart. An edited texture stays as it is as long as the chart's contours stay, whatever counts change around it: where
+/// charts then do not meet vertex by vertex, `stitch_textures()` joins them. With `Edit_scope::surface` an edit of whole textures takes
+/// all charts, and a polychord goes on through all charts until it closes.
+/// @{
+
+/// The operators of Texture_edit.h on the edges, quads or vertices at `points`.
+enum class Texture_operator : signed char {
+  subdivide,        ///< any point of the chart
+  coarsen,          ///< any point of the chart
+  insert_polychord, ///< an edge; `fraction`
+  delete_polychord, ///< an edge; `fraction`
+  inset_quads,      ///< quads: cube subdivision; `fraction`
+  open_quad,        ///< two edges that meet; `fraction`
+  close_quad,       ///< a corner of a quad, by a point of the quad near it; `fraction`
+  rotate_edge,      ///< an edge, counterclockwise
+  rotate_edge_back, ///< an edge, clockwise
+  rotate_vertex,    ///< a vertex
+  insert_doublet,   ///< a corner of a quad
+  remove_doublet,   ///< a vertex
+  delete_quads,     ///< quads
+  restore_quads     ///< quads
+};
+struct Edit_texture {
+  Texture_operator operation = Texture_operator::subdivide;
+  std::vector<Surface_point> points;
+  double fraction = 0.5;                ///< `at` of the operator; other operators have none
+  Edit_scope scope = Edit_scope::chart; ///< of the first four operators
+};
+/// Moves inner vertices of a texture by the way from the first to `to`, on the surface, and those within a brush's `radius` by less; then
+/// relaxes around them. See `Move_vertices`.
+struct Drag_vertices {
+  std::vector<Surface_point> points;
+  Surface_point to;
+  double radius = 0; ///< on the surface; 0 moves the vertices alone
+  Falloff falloff = Falloff::smooth;
+  int rings = 2, steps = 0;
+  std::vector<Surface_point> anchors{}; ///< vertices that stay
+};
+/// Relaxes the inner vertices within `radius` of a point, or of a whole texture if that is 0. See `Relax_vertices`.
+struct Relax_texture {
+  Surface_point at;
+  int steps = 10;
+  double radius = 0;
+  std::vector<Surface_point> anchors{};
+  Edit_scope scope = Edit_scope::chart;
+};
+/// Moves each of the vertices onto the sharp edges: to the nearest corner of them that is at most half as far as the next vertex, else
+/// to the nearest point.
+struct Snap_vertices {
+  std::vector<Surface_point> points;
+  double feature_angle = 45; ///< degrees
+};
+/// Gives a chart a regular texture again.
+struct Reset_texture {
+  Surface_point at;
+  Edit_scope scope = Edit_scope::chart;
+};
+/// @}
+
+using Edit =
+    std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
+                 Move_contour, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
+                 Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
+                 Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
+                 Lock_chart, Edit_texture, Drag_vertices, Relax_texture, Snap_vertices, Reset_texture>;
 
 /// The name of an edit in recipes and messages: "subdivide_chart".
 const char* name(const Edit& edit);

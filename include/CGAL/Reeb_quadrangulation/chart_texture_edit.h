@@ -22,6 +22,14 @@ Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& c
                                     const Chart_locator& locator, const Contour_samples& samples,
                                     const Texture_edit& edit);
 
+/// The texture of a chart whose contours get other counts: its vertices stay where they are.
+Placed_texture with_counts(const Placed_texture& placed, const Chart& chart, const Contour_samples& before,
+                           const Contour_samples& after);
+
+/// The parameters (V, U) of a place on a chart.
+Eigen::Vector2d parameters(const Chart& chart, const Chart_parameterization& map,
+                           const Chart_location& location);
+
 /// A polychord to be inserted in a chart.
 struct Chart_polychord {
   int chart = -1;
@@ -39,6 +47,10 @@ polychord_through_charts(const Atlas& atlas, const Contour_samples& samples,
 /// surface there: a drag follows the pointer. Zero where the map is degenerate.
 Eigen::Vector2d parameter_displacement(const Chart& chart, const Chart_parameterization& map,
                                        const Chart_location& location, const Eigen::Vector3d& displacement);
+
+/// How long a step of V and a step of U are in space, per unit, at a location. Zero where the map is degenerate.
+Eigen::Vector2d parameter_lengths(const Chart& chart, const Chart_parameterization& map,
+                                  const Chart_location& location);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

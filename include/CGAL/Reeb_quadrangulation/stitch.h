@@ -73,6 +73,7 @@ struct Stitched_mesh {
   std::vector<int> chart_of_quad;
   std::map<int, int> valences;    ///< predicted from the layout alone: valence -> number of vertices inside
   std::vector<int> extraordinary; ///< the vertices that resolving T-junctions made extraordinary
+  std::vector<int> interpolated;  ///< the vertices that resolving T-junctions added, beside the surface
   int t_junctions = 0;            ///< vertices of one side of a contour edge that the other had not
   int holes = 0;                  ///< quads of the textures that were left out
 };

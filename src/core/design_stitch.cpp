@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design_draft.h"
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+bool has_edited_texture(const Design& design) {
+  return std::any_of(design.charts.begin(), design.charts.end(),
+                     [](const std::shared_ptr<const Design_chart>& chart) { return chart->edited; });
+}
+
+Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surface_projector& projector,
+                                    const Design& design) {
+  std::vector<const Placed_texture*> textures;
+  T_junction_options options;
+  for (const auto& chart : design.charts) {
+    textures.push_back(&chart->texture);
+    options.fixed.insert(options.fixed.end(), chart->texture.texture.quads.size(), chart->settings.locked);
+  }
+  const std::vector<Point> points = network_points(surface, design.network);
+  Result<Stitched_mesh> stitched =
+      stitch_textures(points, design.network, design.atlas, design.samples, textures, options);
+  if (!stitched) return stitched;
+  for (int v : stitched->interpolated)
+    stitched->mesh.points[v] = projector.closest(stitched->mesh.points[v]).point;
+  return stitched;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
