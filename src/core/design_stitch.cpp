@@ -22,6 +22,15 @@ Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surfa
   const std::vector<Point> points = network_points(surface, design.network);
   Result<Stitched_mesh> stitched =
       stitch_textures(points, design.network, design.atlas, design.samples, textures, options);
+  if (!stitched && stitched.error().element == Element_kind::face &&
+      options.fixed[std::size_t(stitched.error().index)]) {
+    std::int64_t quad = stitched.error().index;
+    std::size_t c = 0;
+    for (; quad >= std::int64_t(textures[c]->texture.quads.size()); ++c)
+      quad -= std::int64_t(textures[c]->texture.quads.size());
+    return refuse("the quads of a locked chart would be split where its neighbours are denser", {},
+                  Element_kind::chart, design.charts[c]->id);
+  }
   if (!stitched) return stitched;
   for (int v : stitched->interpolated)
     stitched->mesh.points[v] = projector.closest(stitched->mesh.points[v]).point;
