@@ -120,8 +120,7 @@ public:
   }
 
   Embedder(const Triangle_surface& surface, const Contour_network& network, const std::vector<int>& faces)
-      : m_surface(surface), m_network(network), m_local(surface.number_of_faces(), -1),
-        m_is_whole(int(faces.size()) == surface.number_of_faces()) {
+      : m_surface(surface), m_network(network), m_local(surface.number_of_faces(), -1) {
     Triangle_surface& s = m_result.surface;
     s.points.reserve(m_surface.points.size() + m_network.crossings.size());
     s.points = m_surface.points;
@@ -269,9 +268,17 @@ private:
       const std::vector<int>& v = m_network.edges[e].vertices;
       for (int k = 0; k + 1 < int(v.size()); ++k) {
         const std::array<int, 2> found = find_halfedges(v[k], v[k + 1]);
-        if (m_is_whole && found[0] < 0 && found[1] < 0)
-          return make_error(Error_code::internal_error, "a contour leaves the surface", Element_kind::contour,
-                            e);
+        if (found[0] < 0 && found[1] < 0) {
+          const std::vector<int> beside = faces_beside(m_network.edges[e], k);
+          if (beside.empty())
+            return make_error(Error_code::internal_error, "a contour leaves the surface",
+                              Element_kind::contour, e);
+          for (int f : beside)
+            if (m_local[f] >= 0)
+              return make_error(Error_code::internal_error, "contours cross inside a face",
+                                Element_kind::face, f);
+          continue; // outside the given faces
+        }
         for (int h : found)
           if (h >= 0) {
             m_result.wall_of[h] = int(m_result.walls.size());
@@ -285,7 +292,31 @@ private:
   using Ends = std::pair<int, int>;
   static Ends ends(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-  // The two halfedges between two vertices: of pieces, or along an edge between whole faces.
+  // The faces of the surface that a segment goes through or along; none if it is not on the surface.
+  std::vector<int> faces_beside(const Contour_edge& edge, int segment) const {
+    if (edge.faces[segment] >= 0) return {edge.faces[segment]};
+    const int a = edge.vertices[segment], b = edge.vertices[segment + 1];
+    const int h = m_network.is_crossing(a)   ? m_network.crossing(a).halfedge
+                  : m_network.is_crossing(b) ? m_network.crossing(b).halfedge
+                                             : halfedge_between(a, b);
+    if (h < 0) return {};
+    if (m_surface.opposite[h] < 0) return {h / 3};
+    return {h / 3, m_surface.opposite[h] / 3};
+  }
+
+  // Of the surface, in either direction.
+  int halfedge_between(int a, int b) const {
+    const int start = m_surface.outgoing[a];
+    int h = start;
+    do {
+      if (m_surface.target(h) == b) return h;
+      if (const int back = Triangle_surface::previous(h); m_surface.source(back) == b) return back;
+      h = m_surface.rotate_ccw(h);
+    } while (h >= 0 && h != start);
+    return -1;
+  }
+
+  // The two halfedges between two vertices: of pieces, or along an edge between whole faces. None if another contour crosses there.
   std::array<int, 2> find_halfedges(int a, int b) const {
     std::array<int, 2> found{{-1, -1}};
     const std::pair<Ends, int> first{ends(a, b), -1};
@@ -297,14 +328,12 @@ private:
       return found;
     }
     if (m_network.is_crossing(a) || m_network.is_crossing(b)) return found;
-    const int start = m_surface.outgoing[a];
-    int h = start;
-    do {
-      const int back = Triangle_surface::previous(h);
-      if (m_surface.target(h) == b) return {local(h), local(m_surface.opposite[h])};
-      if (m_surface.source(back) == b) return {local(back), local(m_surface.opposite[back])};
-      h = m_surface.rotate_ccw(h);
-    } while (h >= 0 && h != start);
+    const int along = halfedge_between(a, b);
+    if (along < 0) return found;
+    const Triangle_surface& s = m_result.surface;
+    const std::array<int, 2> sides{{local(along), local(m_surface.opposite[along])}};
+    for (int i = 0; i < 2; ++i)
+      if (sides[i] >= 0 && ends(s.source(sides[i]), s.target(sides[i])) == ends(a, b)) found[i] = sides[i];
     return found;
   }
 
@@ -312,7 +341,6 @@ private:
   const Contour_network& m_network;
   Embedding m_result;
   std::vector<int> m_local; // face of the result that a face of the surface is, before it is cut; or -1
-  bool m_is_whole = true;   // no face is left out
   std::vector<std::pair<Ends, int>> m_piece_halfedges; // sorted
   std::vector<int> m_by_edge;                          // crossings sorted by (edge, t)
   std::vector<int> m_cut_faces;                        // sorted

@@ -67,56 +67,102 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
   return a % b != 0 && (a < 0) != (b < 0) ? q - 1 : q;
 }
 
-// Unimodular column operations bring the matrix to lower echelon form H; `point` solves H y = right on the
-// way.
-Result<Solution_lattice> solution_lattice(const Step_system& s) {
-  const int n = int(s.variables.size()), m = int(s.matrix.size());
-  // Columns of the matrix above the columns of the transformation.
-  std::vector<Vector> column(n, Vector(m + n, 0));
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < m; ++i) column[j][i] = s.matrix[i][j];
-    column[j][m + j] = 1;
-  }
-  Solution_lattice result;
-  Vector residual(s.right);
-  residual.resize(m + n, 0); // right - H y above, -U y below
-  int rank = 0;
-  const auto subtract = [](Vector& a, std::int64_t q, const Vector& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= q * b[i];
-  };
-  for (int i = 0; i < m; ++i) {
-    while (true) { // Euclid's algorithm on the entries of row i
-      int pivot = -1;
-      for (int j = rank; j < n; ++j)
-        if (column[j][i] != 0 && (pivot < 0 || std::abs(column[j][i]) < std::abs(column[pivot][i])))
-          pivot = j;
-      if (pivot < 0) break;
-      std::swap(column[rank], column[pivot]);
-      bool done = true;
-      for (int j = rank + 1; j < n; ++j) {
-        if (column[j][i] == 0) continue;
-        subtract(column[j], floor_divide(column[j][i], column[rank][i]), column[rank]);
-        done = done && column[j][i] == 0;
-      }
-      if (done) break;
-    }
-    const std::int64_t pivot = rank < n ? column[rank][i] : 0;
-    if (residual[i] != 0 && (pivot == 0 || residual[i] % pivot != 0))
-      return infeasible(s.chart[i], "the locked counts leave a number that the free edges cannot make up");
-    if (pivot == 0) continue;
-    subtract(residual, residual[i] / pivot, column[rank]);
-    ++rank;
-  }
-  for (int j = 0; j < n; ++j) result.point.push_back(-residual[m + j]);
-  for (int j = rank; j < n; ++j) result.basis.emplace_back(column[j].begin() + m, column[j].end());
-  return result;
-}
-
 std::int64_t dot(const Vector& a, const Vector& b) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
+
+// Unimodular column operations bring the matrix to an echelon form H; `point` solves H y = right on the way. Rows with few entries
+// come first, and short columns are pivots: entries stay as small as those of the matrix in practice, where rows and columns as they
+// come let them grow beyond all bounds.
+class Echelon_form {
+public:
+  explicit Echelon_form(const Step_system& s)
+      : m_system(s), m_rows(int(s.matrix.size())), m_columns(int(s.variables.size())) {
+    for (int j = 0; j < m_columns; ++j) { // of the matrix above those of the transformation
+      m_column.emplace_back(m_rows + m_columns, 0);
+      for (int i = 0; i < m_rows; ++i) m_column[j][i] = s.matrix[i][j];
+      m_column[j][m_rows + j] = 1;
+    }
+    m_residual = s.right; // right - H y above, -U y below
+    m_residual.resize(m_rows + m_columns, 0);
+  }
+
+  Result<Solution_lattice> solve() {
+    std::vector<int> left(m_rows);
+    for (int i = 0; i < m_rows; ++i) left[i] = i;
+    while (!left.empty()) {
+      const auto next = std::min_element(left.begin(), left.end(), [&](int a, int b) {
+        const int na = entries(a), nb = entries(b);
+        return na != nb ? na < nb : a < b;
+      });
+      const int row = *next;
+      left.erase(next);
+      if (!eliminate(row)) return too_large(row);
+      const std::int64_t pivot = m_rank < m_columns ? m_column[m_rank][row] : 0;
+      if (m_residual[row] != 0 && (pivot == 0 || m_residual[row] % pivot != 0))
+        return infeasible(m_system.chart[row],
+                          "the locked counts leave a number that the free edges cannot make up");
+      if (pivot == 0) continue;
+      subtract(m_residual, m_residual[row] / pivot, m_column[m_rank]);
+      ++m_rank;
+    }
+    Solution_lattice result;
+    for (int j = 0; j < m_columns; ++j) result.point.push_back(-m_residual[m_rows + j]);
+    for (int j = m_rank; j < m_columns; ++j)
+      result.basis.emplace_back(m_column[j].begin() + m_rows, m_column[j].end());
+    return result;
+  }
+
+private:
+  static constexpr std::int64_t largest = std::int64_t(1) << 24; // products of such numbers can be summed
+
+  static void subtract(Vector& a, std::int64_t q, const Vector& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= q * b[i];
+  }
+  Error too_large(int row) const {
+    return infeasible(m_system.chart[row], "no integers were found for these counts");
+  }
+  int entries(int row) const {
+    int n = 0;
+    for (int j = m_rank; j < m_columns; ++j) n += m_column[j][row] != 0;
+    return n;
+  }
+
+  // Euclid's algorithm on the entries of a row beyond the pivots; false if a number becomes too large.
+  bool eliminate(int row) {
+    while (true) {
+      int pivot = -1;
+      std::int64_t shortest = 0;
+      for (int j = m_rank; j < m_columns; ++j) {
+        const std::int64_t entry = std::abs(m_column[j][row]), length = dot(m_column[j], m_column[j]);
+        if (entry == 0) continue;
+        const std::int64_t best = pivot < 0 ? 0 : std::abs(m_column[pivot][row]);
+        if (pivot >= 0 && (entry > best || (entry == best && length >= shortest))) continue;
+        pivot = j;
+        shortest = length;
+      }
+      if (pivot < 0) return true;
+      std::swap(m_column[m_rank], m_column[pivot]);
+      bool done = true;
+      for (int j = m_rank + 1; j < m_columns; ++j) {
+        if (m_column[j][row] == 0) continue;
+        const std::int64_t p = m_column[m_rank][row];
+        subtract(m_column[j], floor_divide(2 * m_column[j][row] + p, 2 * p), m_column[m_rank]);
+        done = done && m_column[j][row] == 0;
+        for (std::int64_t x : m_column[j])
+          if (std::abs(x) > largest) return false;
+      }
+      if (done) return true;
+    }
+  }
+
+  const Step_system& m_system;
+  int m_rows, m_columns, m_rank = 0;
+  std::vector<Vector> m_column;
+  Vector m_residual;
+};
 
 // Shortens the basis by pairwise reduction (Gauss, Lagrange) until no vector is shortened by another.
 void reduce(std::vector<Vector>& basis) {
@@ -290,7 +336,7 @@ Vector multiple_point(const Count_problem& problem, const Step_system& s, const 
 
 Result<std::vector<int>> solve_lattice(const Count_problem& problem) {
   const Step_system system = step_system(problem);
-  Result<Solution_lattice> lattice = solution_lattice(system);
+  Result<Solution_lattice> lattice = Echelon_form(system).solve();
   if (!lattice) return lattice.error();
   const Result<Rational_point> rational = rational_point(system);
   if (!rational) return rational.error();

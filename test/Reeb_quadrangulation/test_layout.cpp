@@ -304,6 +304,39 @@ TEST_CASE("two boundary loops that an edge joins are refused, until the edge is 
   CHECK(layout->atlas.charts.size() == 3);
 }
 
+TEST_CASE("a contour that crosses another one along an edge of the surface cannot be embedded") {
+  const Triangle_surface s = tiny::octahedron();
+  Contour_network network;
+  network.surface_vertices = s.number_of_vertices();
+  Contour_edge equator; // along edges
+  equator.vertices = {0, 2, 1, 3, 0};
+  equator.faces.assign(4, -1);
+  equator.from = equator.to = add_node(network, 0);
+  network.edges.push_back(equator);
+  CHECK(bool(embed(s, network)));
+  const auto around = [&](int vertex) { // a loop over all edges of a vertex
+    Contour_edge loop;
+    const int first = s.outgoing[vertex];
+    int h = first;
+    do {
+      loop.vertices.push_back(add_crossing(network, {s.edge(h), 0.5}));
+      loop.faces.push_back(h / 3);
+      h = s.rotate_ccw(h);
+    } while (h != first);
+    loop.vertices.push_back(loop.vertices.front());
+    loop.from = loop.to = add_node(network, loop.vertices.front());
+    network.edges.push_back(std::move(loop));
+  };
+  around(4); // the pole: beside the equator
+  CHECK(bool(embed(s, network)));
+  around(0); // on the equator: over two of its edges
+  std::vector<int> half{0, 1, 2, 3, 4, 5};
+  for (const Result<Embedding>& refused : {embed(s, network), embed(s, network, half)}) {
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().element == Element_kind::face);
+  }
+}
+
 TEST_CASE("an extremum that the field does not have is reported as lost") {
   // Two minima of equal value that are neighbours: the second is no minimum in any order.
   const Triangle_surface s = tiny::torus(8, 7);
