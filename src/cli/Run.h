@@ -40,6 +40,9 @@ struct Run {
 /// The report, as doc/Reeb_quadrangulation/report_schema.md describes it.
 std::string report_json(const Run& run, const Run_options& options);
 
+/// The same as one HTML file with an interactive view. A `Failure` says if the program was built without it.
+std::string report_html(const Run& run, const Run_options& options);
+
 /// Writes the pictures of a run into `options.pictures`; a `Failure` names the file that cannot be written.
 void write_pictures(const Run& run, const Run_options& options);
 

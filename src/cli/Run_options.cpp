@@ -90,14 +90,15 @@ void declare(Command_line& line) {
   line.options.add_options() //
       ("output,o", value<std::string>("FILE"),
        "the quad mesh: OBJ, OFF, PLY or VTK by its extension "
-       "(STL and GLB hold triangles)")                                                               //
-      ("quads", value<int>("N")->default_value(3000), "about how many quads")                        //
-      ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads")      //
-      ("report", value<std::string>("FILE"), "write all numbers as JSON")                            //
-      ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                 //
-      ("extrema", value<std::string>("FILE"), "place the extrema: lines 'min x y z' or 'max x y z'") //
-      ("min", value<Texts>("x,y,z")->composing(), "place a minimum near that point (repeatable)")    //
-      ("max", value<Texts>("x,y,z")->composing(), "place a maximum near that point (repeatable)")    //
+       "(STL and GLB hold triangles)")                                                                 //
+      ("quads", value<int>("N")->default_value(3000), "about how many quads")                          //
+      ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads")        //
+      ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
+      ("html", value<std::string>("FILE"), "write a report with an interactive view as one HTML file") //
+      ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                   //
+      ("extrema", value<std::string>("FILE"), "place the extrema: lines 'min x y z' or 'max x y z'")   //
+      ("min", value<Texts>("x,y,z")->composing(), "place a minimum near that point (repeatable)")      //
+      ("max", value<Texts>("x,y,z")->composing(), "place a maximum near that point (repeatable)")      //
       ("axis", value<std::string>("x,y,z")->default_value("0,0,1"),
        "up: suggested extrema below the middle become minima, those above maxima") //
       ("persistence", value<double>("P")->default_value(default_persistence),
@@ -159,6 +160,7 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   options.input = line.required("FILE");
   options.output = line.required("output");
   if (line.has("report")) options.report = line.text("report");
+  if (line.has("html")) options.html = line.text("html");
   if (line.has("pictures")) options.pictures = line.text("pictures");
   options.mending = mending(line);
   options.timings = line.has("timings");

@@ -17,6 +17,7 @@ struct Run_options {
   std::string input;
   std::string output;
   std::string report;   ///< empty: none is written
+  std::string html;     ///< empty: none is written
   std::string pictures; ///< a folder; empty: none are made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;

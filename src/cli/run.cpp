@@ -10,6 +10,8 @@
 #include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
 #include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
 
+#include <server/Html_report.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -156,6 +158,13 @@ private:
         write_pictures(m_run, m_options);
         end();
       }
+      if (m_run.status == Exit_code::success && !m_options.html.empty()) {
+        begin("HTML report");
+        const std::string html = report_html(m_run, m_options);
+        const Uninterruptible whole;
+        succeed_or_fail(write_file_atomically(m_options.html, html), m_options.html);
+        end();
+      }
       if (m_run.status == Exit_code::success) write_quads();
     }
     m_observer.clear();
@@ -224,6 +233,7 @@ Exit_code execute_run(const Arguments& arguments) {
   const std::optional<Run_options> options = parse_run_options(arguments);
   if (!options) return Exit_code::success;
   require_writable_format(options->output);
+  if (!options->html.empty()) value_or_fail(studio::html_text({}), options->html); // not every build can
   watch_for_interruption();
   CGAL::Reeb_quadrangulation::internal::keep_freed_memory();
   return Runner(*options).execute();

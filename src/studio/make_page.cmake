@@ -18,7 +18,7 @@ function(build_page result)
   file(MAKE_DIRECTORY ${WORK_DIR})
   file(REMOVE_RECURSE ${WORK_DIR}/source ${page_dir})
   file(COPY ${SOURCE_DIR}/source ${SOURCE_DIR}/public ${SOURCE_DIR}/index.html ${SOURCE_DIR}/package.json ${SOURCE_DIR}/package-lock.json
-    ${SOURCE_DIR}/tsconfig.json ${SOURCE_DIR}/vite.config.ts DESTINATION ${WORK_DIR})
+    ${SOURCE_DIR}/tsconfig.json ${SOURCE_DIR}/vite.config.ts ${SOURCE_DIR}/vite.report.config.ts DESTINATION ${WORK_DIR})
   file(SHA256 ${WORK_DIR}/package-lock.json lock)
   set(installed "")
   if(EXISTS ${WORK_DIR}/node_modules/.lock)

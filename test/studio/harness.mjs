@@ -12,6 +12,11 @@ const artefacts = process.env.STUDIO_ARTEFACTS;
 mkdirSync(artefacts, { recursive: true });
 const patience = 60000;
 
+/** Where a picture of that name is kept. */
+export function artefact(name) {
+  return join(artefacts, `${name}.png`);
+}
+
 export function reebquad(...args) {
   return execFileSync(program, args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 }
@@ -66,6 +71,10 @@ export class Studio {
 
   path(name) {
     return join(this.folder, name);
+  }
+
+  read(file) {
+    return readFileSync(file, "utf8");
   }
 
   /** A built-in shape as a file in the folder. */
@@ -167,7 +176,7 @@ export class Studio {
 
   async picture(name) {
     await this.settle();
-    await this.page.screenshot({ path: join(artefacts, `${name}.png`) });
+    await this.page.screenshot({ path: artefact(name) });
   }
 
   async download(action) {

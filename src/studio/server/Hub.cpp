@@ -222,7 +222,9 @@ void Hub::download(std::string what, Download done_) {
   const auto bytes = std::make_shared<std::string>();
   enqueue(
       [what = std::move(what), bytes](Session& session, Worker::Observer& observer) -> Result<Json> {
-        Result<std::string> made = what == "recipe" ? session.recipe() : session.export_quads(what, observer);
+        Result<std::string> made = what == "recipe" ? session.recipe()
+                                   : what == "html" ? session.html_report(observer)
+                                                    : session.export_quads(what, observer);
         if (!made) return made.error();
         *bytes = std::move(*made);
         return Json::object();

@@ -36,7 +36,7 @@ public:
   /// Opens a mesh file of the user's folder, as if a page had asked for it.
   void open_file(const std::string& name);
   void upload(std::string name, std::string bytes, Download done);
-  /// `what` is "recipe" or the extension of a mesh format.
+  /// `what` is "recipe", "html" or the extension of a mesh format.
   void download(std::string what, Download done);
 
 private:

@@ -30,9 +30,9 @@ Frame field_frame(const std::vector<double>& values) {
 Frame charts_frame(const Layer_source& source) {
   Frame frame("charts");
   std::vector<std::int32_t> charts;
-  charts.reserve(source.embedded->chart_of_face.size());
-  for (const int chart : source.embedded->chart_of_face)
-    charts.push_back(chart < 0 ? -1 : (*source.chart_ids)[chart]);
+  charts.reserve(source.charted->chart_of_face.size());
+  for (const int chart : source.charted->chart_of_face)
+    charts.push_back(chart < 0 ? -1 : source.chart_ids[chart]);
   frame.add("chart", charts);
   return frame;
 }
@@ -49,8 +49,7 @@ const char* kind_of(const Contour_network& network, const Contour_edge& edge) {
 
 Frame contours_frame(const Layer_source& source) {
   Frame frame("contours");
-  const Contour_network& network = source.design->network;
-  const std::vector<int>& known_counts = source.design->samples.counts;
+  const Contour_network& network = source.charted->network;
   std::vector<Point> points;
   std::vector<std::uint32_t> begin{0};
   std::vector<std::int32_t> edges, counts;
@@ -59,10 +58,10 @@ Frame contours_frame(const Layer_source& source) {
   for (std::size_t e = 0; e < network.edges.size(); ++e) {
     const Contour_edge& edge = network.edges[e];
     if (network.is_removed(edge)) continue;
-    for (const int v : edge.vertices) points.push_back(source.embedded->embedding.surface.points[v]);
+    for (const int v : edge.vertices) points.push_back(source.charted->surface.points[v]);
     begin.push_back(std::uint32_t(points.size()));
     edges.push_back(int(e));
-    counts.push_back(e < known_counts.size() ? known_counts[e] : 0);
+    counts.push_back(e < source.counts.size() ? source.counts[e] : 0);
     values.push_back(float(edge.value));
     kinds.push_back(kind_of(network, edge));
   }
@@ -78,8 +77,8 @@ Frame contours_frame(const Layer_source& source) {
 /// Minima, saddles and maxima: kinds 0, 1 and 2. Fractional saddles are 3 (half) and 4 (quarter).
 Frame critical_frame(const Layer_source& source) {
   Frame frame("critical");
-  const std::vector<Point>& all = source.embedded->embedding.surface.points;
-  const Contour_network& network = source.design->network;
+  const std::vector<Point>& all = source.charted->surface.points;
+  const Contour_network& network = source.charted->network;
   std::vector<Point> points;
   std::vector<std::int32_t> vertices;
   std::vector<std::uint8_t> kinds, multiplicities;
@@ -89,7 +88,7 @@ Frame critical_frame(const Layer_source& source) {
     kinds.push_back(std::uint8_t(kind));
     multiplicities.push_back(std::uint8_t(std::min(multiplicity, 255)));
   };
-  for (const Design_extremum& e : source.design->extrema) add(e.vertex, e.is_maximum ? 2 : 0, 0);
+  for (const Design_extremum& e : source.extrema) add(e.vertex, e.is_maximum ? 2 : 0, 0);
   const std::vector<char> used = nodes_in_use(network);
   for (std::size_t i = 0; i < network.nodes.size(); ++i) {
     const Contour_node& node = network.nodes[i];
@@ -106,8 +105,7 @@ Frame critical_frame(const Layer_source& source) {
 }
 
 Frame reeb_frame(const Layer_source& source) {
-  const Design& design = *source.design;
-  const Skeleton drawn = skeleton(*source.embedded, design.network, *source.graph, *source.values);
+  const Skeleton drawn = skeleton(*source.charted);
   Frame frame("reeb");
   std::vector<Point> points;
   std::vector<std::uint32_t> begin{0};
@@ -116,7 +114,7 @@ Frame reeb_frame(const Layer_source& source) {
     begin.push_back(std::uint32_t(points.size()));
   }
   std::vector<std::uint8_t> is_extremum;
-  for (const int vertex : source.graph->extremum) is_extremum.push_back(vertex >= 0);
+  for (const int vertex : source.charted->graph.extremum) is_extremum.push_back(vertex >= 0);
   frame.add_points("position", points, source.origin);
   frame.add("begin", begin);
   frame.add_points("node", drawn.nodes, source.origin);
@@ -149,7 +147,7 @@ Valences valences(const Quad_mesh& mesh) {
 }
 
 Frame quads_frame(const Layer_source& source) {
-  const Quad_mesh& mesh = source.quads->mesh;
+  const Quad_mesh& mesh = *source.quads;
   Frame frame("quads");
   std::vector<float> quality;
   quality.reserve(mesh.quads.size());
@@ -169,8 +167,7 @@ Frame quads_frame(const Layer_source& source) {
   frame.add_indices("quad", mesh.quads);
   frame.add("quality", quality);
   std::vector<std::int32_t> charts;
-  for (const int chart : source.quads->chart_of_quad)
-    charts.push_back(chart < 0 ? -1 : (*source.chart_ids)[chart]);
+  for (const int chart : source.chart_of_quad) charts.push_back(chart < 0 ? -1 : source.chart_ids[chart]);
   frame.add("chart", charts);
   frame.add("irregular_vertex", vertices);
   frame.add("irregular_valence", numbers);
@@ -182,9 +179,9 @@ Frame quads_frame(const Layer_source& source) {
 
 Layers make_layers(const Layer_source& source) {
   Layers layers;
-  if (source.design) {
-    layers["surface"] = surface_frame(source.embedded->embedding.surface, source.origin).encode();
-    layers["field"] = field_frame(*source.values).encode();
+  if (source.charted) {
+    layers["surface"] = surface_frame(source.charted->surface, source.origin).encode();
+    layers["field"] = field_frame(source.charted->values).encode();
     layers["charts"] = charts_frame(source).encode();
     layers["contours"] = contours_frame(source).encode();
     layers["critical"] = critical_frame(source).encode();

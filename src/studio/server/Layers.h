@@ -14,19 +14,28 @@ namespace studio {
 /// The encoded geometry that the page shows, by the layer's name.
 using Layers = std::map<std::string, std::shared_ptr<const std::string>>;
 
+/// A surface with contours cut in, and what is drawn on it.
+struct Charted_surface {
+  const CGAL::Reeb_quadrangulation::Triangle_surface& surface;
+  const CGAL::Reeb_quadrangulation::Contour_network& network;
+  const CGAL::Reeb_quadrangulation::Reeb_graph& graph;
+  const std::vector<int>& chart_of_face;
+  const std::vector<double>& values; ///< the field at the vertices of `surface`
+};
+
 /// What the layers are made of; a null pointer stands for what there is not yet.
 struct Layer_source {
-  const CGAL::Reeb_quadrangulation::Triangle_surface* surface = nullptr; ///< shown while there is no design
   CGAL::Reeb_quadrangulation::Point origin =
       CGAL::Reeb_quadrangulation::Point::Zero(); ///< subtracted from all points
 
-  const CGAL::Reeb_quadrangulation::Design* design = nullptr; ///< this and the next four go together
-  const CGAL::Reeb_quadrangulation::Embedded_design* embedded = nullptr;
-  const CGAL::Reeb_quadrangulation::Reeb_graph* graph = nullptr;
-  const std::vector<double>* values = nullptr; ///< the field at the vertices of the embedded surface
-  const std::vector<int>* chart_ids = nullptr; ///< the identity of each chart of the atlas
+  const CGAL::Reeb_quadrangulation::Triangle_surface* surface = nullptr; ///< shown while there are no charts
+  const Charted_surface* charted = nullptr; ///< this and the next three go together
+  std::vector<int> chart_ids;               ///< the number that each chart is shown by
+  std::vector<CGAL::Reeb_quadrangulation::Design_extremum> extrema;
+  std::vector<int> counts; ///< of quads along contour edges, where they are known
 
-  const CGAL::Reeb_quadrangulation::Stitched_mesh* quads = nullptr;
+  const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr;
+  std::vector<int> chart_of_quad;
 };
 
 /// Makes the layers "surface", "field", "charts", "contours", "critical", "reeb" and "quads", as far as there is something to

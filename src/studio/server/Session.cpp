@@ -2,6 +2,7 @@
 #include "Session.h"
 
 #include "Edit_text.h"
+#include "Html_report.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
@@ -187,7 +188,6 @@ Result<void> Session::undo() {
   if (Result<void> done = step(false); !done) return done;
   changed(watch.milliseconds(), "undid: " + edit_text(m_work->edits()[std::size_t(m_work->applied())]));
   return {};
-  return {};
 }
 
 Result<void> Session::redo() {
@@ -283,6 +283,32 @@ Result<std::string> Session::export_quads(const std::string& extension, Observer
   Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(m_work->quads()->mesh), format);
   if (!encoded) return encoded.error();
   return std::move(encoded->bytes);
+}
+
+Result<std::string> Session::html_report(Observer& observer) {
+  if (Result<void> certified = certify(observer); !certified) return certified.error();
+  Html_report report;
+  report.title = m_saved.name;
+  Json mends = Json::array(), edits = Json::array(), axis = {0, 1, 0};
+  for (const Json& text : m_file["mends"]) mends.push_back({{"text", text}});
+  const Json all = history();
+  for (int i = 0; i < m_work->applied(); ++i) {
+    edits.push_back({{"text", all[i]["text"]}, {"milliseconds", all[i]["milliseconds"]}});
+    axis = all[i]["edit"].value("axis", axis);
+  }
+  report.facts = {
+      {"version", REEBQUAD_VERSION},
+      {"input", {{"file", m_saved.name}, {"points", m_file["points"]}, {"faces", m_file["triangles"]}}},
+      {"axis", axis},
+      {"mends", mends},
+      {"components", Json::array({{{"triangles", m_file["triangles"]},
+                                   {"genus", m_file["genus"]},
+                                   {"quads", m_work->quads()->mesh.quads.size()}}})},
+      {"certificate", Json::parse(to_json(*m_certificate))},
+      {"statistics", Json::parse(to_json(*m_statistics))},
+      {"edits", edits}};
+  report.parts.push_back(layers());
+  return html_text(report);
 }
 
 Result<std::string> Session::recipe() const {

@@ -51,6 +51,8 @@ public:
   Result<std::shared_ptr<const std::string>> chart(int index) const;
   /// The quads in the format of that extension ("obj", "off", "ply", "vtk", "stl", "glb").
   Result<std::string> export_quads(const std::string& extension, Observer& observer);
+  /// Certifies with all checks first; see `html_text()`.
+  Result<std::string> html_report(Observer& observer);
   Result<std::string> recipe() const;
 
   const Folder& folder() const { return m_folder; }

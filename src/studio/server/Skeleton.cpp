@@ -20,20 +20,20 @@ struct Bands {
   std::vector<double> area = std::vector<double>(bands, 0);
 };
 
-std::vector<Bands> measure(const Embedded_design& embedded, std::size_t number_of_charts,
-                           const std::vector<double>& values) {
-  const Triangle_surface& surface = embedded.embedding.surface;
-  std::vector<Bands> charts(number_of_charts);
+std::vector<Bands> measure(const Charted_surface& charted) {
+  const Triangle_surface& surface = charted.surface;
+  const std::vector<double>& values = charted.values;
+  std::vector<Bands> charts(charted.graph.arcs.size());
   const auto mean = [&](const Triangle& t) { return (values[t[0]] + values[t[1]] + values[t[2]]) / 3; };
   for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int chart = embedded.chart_of_face[f];
+    const int chart = charted.chart_of_face[f];
     if (chart < 0) continue;
     const double value = mean(surface.triangles[f]);
     charts[chart].low = std::min(charts[chart].low, value);
     charts[chart].high = std::max(charts[chart].high, value);
   }
   for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int chart = embedded.chart_of_face[f];
+    const int chart = charted.chart_of_face[f];
     if (chart < 0) continue;
     Bands& b = charts[chart];
     const Triangle& t = surface.triangles[f];
@@ -55,9 +55,10 @@ void smooth(std::vector<Point>& line) {
   }
 }
 
-std::vector<Point> node_positions(const Embedding& embedding, const Contour_network& network,
-                                  const Reeb_graph& graph) {
-  const std::vector<Point>& points = embedding.surface.points;
+std::vector<Point> node_positions(const Charted_surface& charted) {
+  const std::vector<Point>& points = charted.surface.points;
+  const Contour_network& network = charted.network;
+  const Reeb_graph& graph = charted.graph;
   std::vector<Point> position(graph.number_of_nodes(), Point::Zero());
   std::vector<int> number(graph.number_of_nodes(), 0);
   for (std::size_t e = 0; e < network.edges.size(); ++e)
@@ -77,11 +78,11 @@ std::vector<Point> node_positions(const Embedding& embedding, const Contour_netw
 
 } // namespace
 
-Skeleton skeleton(const Embedded_design& embedded, const Contour_network& network, const Reeb_graph& graph,
-                  const std::vector<double>& values) {
+Skeleton skeleton(const Charted_surface& charted) {
   Skeleton result;
-  result.nodes = node_positions(embedded.embedding, network, graph);
-  const std::vector<Bands> charts = measure(embedded, graph.arcs.size(), values);
+  const Reeb_graph& graph = charted.graph;
+  result.nodes = node_positions(charted);
+  const std::vector<Bands> charts = measure(charted);
   for (std::size_t c = 0; c < charts.size(); ++c) {
     std::vector<Point> line;
     for (int band = 0; band < bands; ++band)

@@ -2,9 +2,7 @@
 #ifndef REEBQUAD_STUDIO_SKELETON_H
 #define REEBQUAD_STUDIO_SKELETON_H
 
-#include <CGAL/Reeb_quadrangulation/Design.h>
-
-#include <vector>
+#include "Layers.h"
 
 namespace reebquad {
 namespace studio {
@@ -15,10 +13,8 @@ struct Skeleton {
   std::vector<std::vector<CGAL::Reeb_quadrangulation::Point>> arcs; ///< one for each chart, from node to node
 };
 
-/// `values` is the field on the embedded surface. O(size of the charts).
-Skeleton skeleton(const CGAL::Reeb_quadrangulation::Embedded_design& embedded,
-                  const CGAL::Reeb_quadrangulation::Contour_network& network,
-                  const CGAL::Reeb_quadrangulation::Reeb_graph& graph, const std::vector<double>& values);
+/// O(size of the charts).
+Skeleton skeleton(const Charted_surface& charted);
 
 } // namespace studio
 } // namespace reebquad

@@ -30,13 +30,6 @@ Json json_of(const Edit_report& report) {
           {"seconds", report.seconds}};
 }
 
-/// What holds for the whole time that a design is given to the layers.
-struct Layer_parts {
-  Reeb_graph graph;
-  std::vector<double> values;
-  std::vector<int> chart_ids;
-};
-
 const char* name_of(Pole_kind kind) {
   switch (kind) {
   case Pole_kind::whole: return "whole";
@@ -149,14 +142,18 @@ Layers Workpiece::layers() const {
   const Design& design = m_editor.design();
   if (design.charts.empty()) return make_layers(source);
   const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
-  Layer_parts parts{reeb_graph(design.atlas, design.network), design_field(design, embedded.embedding), {}};
-  for (const auto& chart : design.charts) parts.chart_ids.push_back(chart->id);
-  source.design = &design;
-  source.embedded = &embedded;
-  source.graph = &parts.graph;
-  source.values = &parts.values;
-  source.chart_ids = &parts.chart_ids;
-  source.quads = quads();
+  const Reeb_graph graph = reeb_graph(design.atlas, design.network);
+  const std::vector<double> values = design_field(design, embedded.embedding);
+  const Charted_surface charted{embedded.embedding.surface, design.network, graph, embedded.chart_of_face,
+                                values};
+  source.charted = &charted;
+  for (const auto& chart : design.charts) source.chart_ids.push_back(chart->id);
+  source.extrema = design.extrema;
+  source.counts = design.samples.counts;
+  if (m_quads) {
+    source.quads = &m_quads->mesh;
+    source.chart_of_quad = m_quads->chart_of_quad;
+  }
   return make_layers(source);
 }
 

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { Connection, RequestError } from "./net/connection";
 import type { Edit, State } from "./net/messages";
-import { layerList, switched, views, type LayerId, type ViewId } from "./scene/layers";
+import { layerList, switched, type ViewId } from "./scene/layers";
 import { Stage } from "./scene/stage";
 import { Viewport } from "./scene/viewport";
 import { Store } from "./store";
@@ -18,7 +18,7 @@ import { ChartView } from "./local/chart_view";
 import { chartPanel } from "./ui/chart_panel";
 import { designPanel } from "./ui/design_panel";
 import { defectsPanel } from "./ui/defects_panel";
-import { h, icon } from "./ui/dom";
+import { h, icon, save } from "./ui/dom";
 import { hintsPanel } from "./ui/hints_panel";
 import { historyPanel } from "./ui/history_panel";
 import { icons } from "./ui/icons";
@@ -30,6 +30,7 @@ import { qualityPanel } from "./ui/quality_panel";
 import { statusBar } from "./ui/status_bar";
 import { startTheme } from "./ui/theme";
 import { Toasts } from "./ui/toasts";
+import { showView, viewsBar } from "./ui/views_bar";
 import { welcome } from "./ui/welcome";
 
 export class App {
@@ -128,7 +129,7 @@ export class App {
   }
 
   setView(view: ViewId): void {
-    this.store.set("layers", new Set<LayerId>(views[view].layers));
+    showView(this.store, view);
   }
 
   private get baseName(): string {
@@ -190,36 +191,26 @@ export class App {
   private makeShell(root: HTMLElement, canvasHost: HTMLElement, overlay: HTMLElement, openMesh: () => void): HTMLButtonElement {
     const help = button(icons.help, "Keys and mouse (?)");
     const toggleTheme = (): void => this.toggleTheme();
-    const viewButtons = (Object.keys(views) as ViewId[]).map((id) =>
-      h("button", { className: "view", title: views[id].about, "data-view": id, onclick: () => this.setView(id) }, views[id].name),
-    );
-    this.store.watch(["layers", "state"], () => {
-      for (const b of viewButtons) {
-        const view = views[b.dataset.view as ViewId];
-        const layers = this.store.get("layers");
-        const on = view.layers.length === layers.size && view.layers.every((l) => layers.has(l));
-        b.classList.toggle("on", on);
-        b.disabled = b.dataset.view === "surface" ? !this.store.get("state")?.file : !this.store.get("state")?.statistics;
-      }
-    });
+    const viewButtons = viewsBar(this.store, (view) => Boolean(view === "surface" ? this.store.get("state")?.file : this.store.get("state")?.statistics));
     const format = h("select", { title: "Format of the quads", "aria-label": "Format of the quads", id: "format" }, ...["obj", "off", "ply", "vtk", "glb", "stl"].map((f) => h("option", { value: f }, f.toUpperCase())));
     const undo = button(icons.undo, "Undo (Ctrl+Z)", () => void this.ask("undo"), "undo");
     const redo = button(icons.redo, "Redo (Ctrl+Shift+Z)", () => void this.ask("redo"), "redo");
     const exportQuads = h("button", { id: "export", title: "Export the quads (Ctrl+E)", onclick: () => void this.download(format.value, `${this.baseName}_quads.${format.value}`) }, icon(icons.export), "Export");
     const saveRecipe = h("button", { id: "recipe", title: "Save the edits as a recipe that reebquad replay repeats", onclick: () => void this.download("recipe", `${this.baseName}.recipe.json`) }, icon(icons.save), "Recipe");
+    const report = h("button", { id: "report", title: "An interactive report with all numbers, as one HTML file", onclick: () => void this.download("html", `${this.baseName}_report.html`) }, icon(icons.report), "Report");
     this.store.watch(["state"], () => {
       const state = this.store.get("state");
       undo.disabled = !state?.applied;
       redo.disabled = (state?.applied ?? 0) >= (state?.history?.length ?? 0);
-      exportQuads.disabled = format.disabled = !state?.statistics;
+      exportQuads.disabled = format.disabled = report.disabled = !state?.statistics;
       saveRecipe.disabled = !state?.file;
     });
     const top = h(
       "header", { className: "top" },
       h("img", { src: "/icon.svg", alt: "", className: "logo" }), h("span", { className: "brand" }, "reebquad ", h("em", {}, "studio")),
       h("button", { id: "open", title: "Open a mesh (Ctrl+O)", onclick: openMesh }, icon(icons.open), "Open"),
-      undo, redo, h("span", { className: "spring" }), h("nav", { className: "views", "aria-label": "Views" }, ...viewButtons), h("span", { className: "spring" }),
-      saveRecipe, h("span", { className: "joined" }, exportQuads, format),
+      undo, redo, h("span", { className: "spring" }), viewButtons, h("span", { className: "spring" }),
+      saveRecipe, report, h("span", { className: "joined" }, exportQuads, format),
       button(icons.camera, "Save a picture", () => void this.screenshot(), "screenshot"), button(icons.theme, "Dark or light", toggleTheme, "theme"), help,
     );
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
@@ -254,10 +245,4 @@ function button(paths: string, title: string, onclick?: () => void, id?: string)
 function capital(text: string): string {
   if (/^\S+\.\w+/.test(text)) return text; // a file's name
   return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
-function save(blob: Blob, name: string): void {
-  const link = h("a", { href: URL.createObjectURL(blob), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }

@@ -54,6 +54,8 @@ export interface ChartFacts {
 export interface Check {
   name: string;
   status: "passed" | "failed" | "not_checked";
+  measured?: number | null;
+  expected?: number | null;
   message: string;
 }
 

@@ -12,10 +12,34 @@ const light = /* glsl */ `
     float sky = 0.5 + 0.5 * n.y;
     vec3 half_ = normalize(normalize(vec3(-0.45, 0.75, 0.55)) + toEye);
     float gloss = pow(max(dot(n, half_), 0.0), 40.0);
-    vec3 result = colour * (0.26 + 0.16 * sky + 0.42 * key + 0.12 * fill + 0.2 * head) + vec3(0.06 * gloss);
+    vec3 result = colour * (0.32 + 0.16 * sky + 0.4 * key + 0.12 * fill + 0.22 * head) + vec3(0.06 * gloss);
     if (!gl_FrontFacing) result *= vec3(0.62, 0.55, 0.55);
     return result;
   }`;
+
+/** The eye's direction, and how much of a see-through surface is seen: more towards its rim. */
+const shade = /* glsl */ `
+  uniform float opacity;
+  varying vec3 vNormal2, vPosition;
+  ${light}
+  vec4 shaded(vec3 colour) {
+    vec3 toEye = normalize(-vPosition);
+    float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
+    float alpha = opacity < 1.0 ? clamp(opacity + 0.55 * rim * rim, 0.0, 1.0) : 1.0;
+    return vec4(lit(colour, vNormal2, toEye), alpha);
+  }`;
+
+const place = /* glsl */ `
+  varying vec3 vNormal2, vPosition;
+  void placeVertex() {
+    vNormal2 = normalMatrix * normal;
+    vec4 p = modelViewMatrix * vec4(position, 1.0);
+    vPosition = p.xyz;
+    gl_Position = projectionMatrix * p;
+  }`;
+
+/** Behind the lines that lie on it. */
+const behindLines = { side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2 } as const;
 
 export enum SurfaceColour {
   plain = 0,
@@ -43,28 +67,22 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
       varying float vField;
       varying float vChart;
       varying vec3 vColour;
-      varying vec3 vNormal2;
-      varying vec3 vPosition;
+      ${place}
       void main() {
         vField = field;
         vChart = chart;
         vColour = chartColour;
-        vNormal2 = normalMatrix * normal;
-        vec4 p = modelViewMatrix * vec4(position, 1.0);
-        vPosition = p.xyz;
-        gl_Position = projectionMatrix * p;
+        placeVertex();
       }`,
     fragmentShader: /* glsl */ `
       uniform int mode;
       uniform vec3 clay;
-      uniform float isolines, lowest, highest, opacity, hovered, selected;
+      uniform float isolines, lowest, highest, hovered, selected;
       uniform vec3 accent;
       varying float vField;
       varying float vChart;
       varying vec3 vColour;
-      varying vec3 vNormal2;
-      varying vec3 vPosition;
-      ${light}
+      ${shade}
       vec3 fieldColour(float t) {
         vec3 a = vec3(0.184, 0.388, 0.710), b = vec3(0.498, 0.698, 0.867), c = vec3(0.937, 0.902, 0.824);
         vec3 d = vec3(0.933, 0.604, 0.420), e = vec3(0.722, 0.196, 0.184);
@@ -72,7 +90,6 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
         return x < 1.0 ? mix(a, b, x) : x < 2.0 ? mix(b, c, x - 1.0) : x < 3.0 ? mix(c, d, x - 2.0) : mix(d, e, x - 3.0);
       }
       void main() {
-        vec3 toEye = normalize(-vPosition);
         float t = (vField - lowest) / max(highest - lowest, 1e-12);
         vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? vColour : clay;
         if (isolines > 0.0) {
@@ -84,14 +101,9 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
         }
         if (selected >= 0.0 && abs(vChart - selected) < 0.5) colour = mix(colour, accent, 0.42);
         else if (hovered >= 0.0 && abs(vChart - hovered) < 0.5) colour = mix(colour, vec3(1.0), 0.28);
-        float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
-        float alpha = opacity < 1.0 ? clamp(opacity + 0.55 * rim * rim, 0.0, 1.0) : 1.0;
-        gl_FragColor = vec4(lit(colour, vNormal2, toEye), alpha);
+        gl_FragColor = shaded(colour);
       }`,
-    side: THREE.DoubleSide,
-    polygonOffset: true,
-    polygonOffsetFactor: 1.5,
-    polygonOffsetUnits: 2,
+    ...behindLines,
   });
 }
 
@@ -100,28 +112,19 @@ export function quadMaterial(): THREE.ShaderMaterial {
     uniforms: { opacity: { value: 1 } },
     vertexShader: /* glsl */ `
       attribute vec3 colour;
-      varying vec3 vColour, vNormal2, vPosition;
+      varying vec3 vColour;
+      ${place}
       void main() {
         vColour = colour;
-        vNormal2 = normalMatrix * normal;
-        vec4 p = modelViewMatrix * vec4(position, 1.0);
-        vPosition = p.xyz;
-        gl_Position = projectionMatrix * p;
+        placeVertex();
       }`,
     fragmentShader: /* glsl */ `
-      uniform float opacity;
-      varying vec3 vColour, vNormal2, vPosition;
-      ${light}
+      varying vec3 vColour;
+      ${shade}
       void main() {
-        vec3 toEye = normalize(-vPosition);
-        float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
-        float alpha = opacity < 1.0 ? clamp(opacity + 0.5 * rim * rim, 0.0, 1.0) : 1.0;
-        gl_FragColor = vec4(lit(vColour, vNormal2, toEye), alpha);
+        gl_FragColor = shaded(vColour);
       }`,
-    side: THREE.DoubleSide,
-    polygonOffset: true,
-    polygonOffsetFactor: 1.5,
-    polygonOffsetUnits: 2,
+    ...behindLines,
   });
 }
 

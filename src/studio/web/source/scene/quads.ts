@@ -11,7 +11,7 @@ export type QuadColour = "plain" | "quality" | "charts";
 
 export class Quads {
   readonly group = new THREE.Group();
-  readonly edges = new Lines(1.3, 0x1d2026, { opacity: 0.9 });
+  readonly edges = new Lines(1.1, 0x23262d, { opacity: 0.8 });
   readonly faces = new THREE.Mesh(new THREE.BufferGeometry(), quadMaterial());
   positions = new Float32Array();
   corners = new Uint32Array();

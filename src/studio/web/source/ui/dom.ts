@@ -44,3 +44,10 @@ export function readable(value: number, digits = 3): string {
   if (Number.isInteger(value)) return value.toLocaleString("en").replace(/,/g, "\u202f");
   return value.toPrecision(digits);
 }
+
+/** Gives a file to the user. */
+export function save(blob: Blob, name: string): void {
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}

@@ -4,6 +4,7 @@ export const icons = {
   open: "M3 7h6l2 2h10v10H3z M12 17v-5 M9.5 14.5 12 12l2.5 2.5",
   save: "M5 4h11l3 3v13H5z M8 4v5h7V4 M8 20v-6h8v6",
   export: "M12 4v11 M8 8l4-4 4 4 M5 14v6h14v-6",
+  report: "M6 3h9l4 4v14H6z M9 17v-4 M12.5 17V9 M16 17v-6",
   undo: "M8 6 4 10l4 4 M4 10h9a6 6 0 0 1 0 12h-2",
   redo: "M16 6l4 4-4 4 M20 10h-9a6 6 0 0 0 0 12h2",
   select: "M6 3l12 9-6 1-3 6z",

@@ -4,12 +4,11 @@ import type { Store } from "../store";
 import { h, replace } from "./dom";
 
 /** The list of layers with their keys. */
-export function layersPanel(store: Store): HTMLElement {
+export function layersPanel(store: Store, isThere: (id: LayerId) => boolean = () => true): HTMLElement {
   const list = h("div", { className: "layer-list" });
   const available = (id: LayerId): boolean => {
     const state = store.get("state");
-    if (id === "surface" || id === "xray") return Boolean(state?.file);
-    return Boolean(state?.statistics);
+    return isThere(id) && Boolean(id === "surface" || id === "xray" ? state?.file : state?.statistics);
   };
   store.watch(["layers", "state"], () => {
     replace(

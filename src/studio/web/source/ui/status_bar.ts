@@ -35,7 +35,7 @@ function light(state: State, certify: () => void): HTMLElement {
   const waiting = certificate.checks.filter((c) => c.status === "not_checked");
   const soft = certificate.passed && failed.length > 0;
   const colour = !certificate.passed ? "red" : soft ? "amber" : "green";
-  const text = !certificate.passed ? "not valid" : soft ? "valid, with remarks" : waiting.length ? "valid" : "certified";
+  const text = !certificate.passed ? "not valid" : soft ? "valid, with remarks" : certificate.strictly_valid ? "certified" : "valid";
   const lines = [...failed.map((c) => `✗ ${c.name}: ${c.message}`), ...waiting.map((c) => `· ${c.name}: not checked yet`)];
   return h(
     "button",

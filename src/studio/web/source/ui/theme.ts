@@ -4,12 +4,29 @@ export type ThemeName = "dark" | "light";
 export function startTheme(changed: (theme: ThemeName) => void): () => void {
   const apply = (theme: ThemeName): void => {
     document.documentElement.dataset.theme = theme;
-    localStorage.setItem("theme", theme);
+    remember(theme);
     changed(theme);
   };
-  const kept = localStorage.getItem("theme");
+  const kept = remembered();
   const preferred = matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark";
   let theme: ThemeName = kept === "light" || kept === "dark" ? kept : preferred;
   apply(theme);
   return () => apply((theme = theme === "dark" ? "light" : "dark"));
+}
+
+// A file that is opened from disk may have no storage.
+function remember(theme: ThemeName): void {
+  try {
+    localStorage.setItem("theme", theme);
+  } catch {
+    return;
+  }
+}
+
+function remembered(): string | null {
+  try {
+    return localStorage.getItem("theme");
+  } catch {
+    return null;
+  }
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layout_view.h"
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+std::vector<double> embedded_values(const Reeb_layout& layout) {
+  std::vector<double> values = layout.values;
+  values.resize(layout.embedding.surface.points.size(), 0);
+  for (const Contour_edge& edge : layout.network.edges)
+    for (const int v : edge.vertices)
+      if (layout.network.is_crossing(v)) values[v] = edge.value;
+  return values;
+}
+
+} // namespace
+
+Layout_view::Layout_view(const Reeb_layout& layout)
+    : values(embedded_values(layout)), charted{layout.embedding.surface, layout.network, layout.graph,
+                                               layout.atlas.chart_of_face, values} {}
+
+} // namespace reebquad
