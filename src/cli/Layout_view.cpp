@@ -18,8 +18,12 @@ std::vector<double> embedded_values(const Reeb_layout& layout) {
 
 } // namespace
 
-Layout_view::Layout_view(const Reeb_layout& layout)
-    : values(embedded_values(layout)), charted{layout.embedding.surface, layout.network, layout.graph,
-                                               layout.atlas.chart_of_face, values} {}
+Layout_view::Layout_view(const Quadrangulation& result)
+    : values(embedded_values(result.layout)), charted{result.working_surface,
+                                                      result.layout.embedding,
+                                                      result.layout.network,
+                                                      result.layout.graph,
+                                                      result.layout.atlas.chart_of_face,
+                                                      values} {}
 
 } // namespace reebquad

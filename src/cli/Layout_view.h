@@ -2,15 +2,15 @@
 #ifndef REEBQUAD_CLI_LAYOUT_VIEW_H
 #define REEBQUAD_CLI_LAYOUT_VIEW_H
 
-#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include <server/Layers.h>
 
 namespace reebquad {
 
-/// A layout as pictures show it: on the surface with its contours cut in. It refers to the layout.
+/// A result's layout as pictures show it: on the surface with its contours cut in. It refers to the result.
 struct Layout_view {
-  explicit Layout_view(const CGAL::Reeb_quadrangulation::Reeb_layout& layout);
+  explicit Layout_view(const CGAL::Reeb_quadrangulation::Quadrangulation& result);
   Layout_view(const Layout_view&) = delete;
   Layout_view& operator=(const Layout_view&) = delete;
 

@@ -35,7 +35,7 @@ Joined_layout joined_layout(const Run& run) {
     all.surface.points.insert(all.surface.points.end(), surface.points.begin(), surface.points.end());
     for (const Triangle& t : surface.triangles)
       all.surface.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    const std::vector<double> values = Layout_view(layout).values;
+    const std::vector<double> values = Layout_view(*component.result).values;
     all.values.insert(all.values.end(), values.begin(), values.end());
     for (const int chart : layout.atlas.chart_of_face) all.chart_of_face.push_back(charts + chart);
     charts += int(layout.atlas.charts.size());
@@ -54,10 +54,10 @@ void add_contours(Scene& scene, const Run& run, double pixels) {
   }
 }
 
-void add_reeb_graph(Scene& scene, const Reeb_layout& layout) {
-  const studio::Skeleton drawn = studio::skeleton(Layout_view(layout).charted);
+void add_reeb_graph(Scene& scene, const Quadrangulation& result) {
+  const studio::Skeleton drawn = studio::skeleton(Layout_view(result).charted);
   std::vector<Colour> colours;
-  for (const int vertex : layout.graph.extremum)
+  for (const int vertex : result.layout.graph.extremum)
     colours.push_back(vertex >= 0 ? Colour{196, 64, 48} : Colour{40, 90, 160});
   add_graph(scene, drawn.nodes, drawn.arcs, colours);
 }
@@ -101,7 +101,7 @@ void write_pictures(const Run& run, const Run_options& options) {
   add_contours(charts, run, 2);
   write(view(charts), "charts.png");
   Scene graph = surface_scene(run.surface);
-  for (const Component_run& component : run.components) add_reeb_graph(graph, component.result->layout);
+  for (const Component_run& component : run.components) add_reeb_graph(graph, *component.result);
   write(view(graph), "reeb_graph.png");
   const Scene quads = quad_scene(run.quads);
   write(view(quads), "quads.png");

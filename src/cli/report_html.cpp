@@ -12,9 +12,10 @@ using namespace CGAL::Reeb_quadrangulation;
 namespace {
 
 studio::Layers layers_of(const Quadrangulation& result, const Point& origin) {
-  const Layout_view view(result.layout);
+  const Layout_view view(result);
   studio::Layer_source source;
   source.origin = origin;
+  source.surface = &result.working_surface;
   source.charted = &view.charted;
   for (std::size_t c = 0; c < result.layout.atlas.charts.size(); ++c) source.chart_ids.push_back(int(c));
   for (const bool is_maximum : {false, true})

@@ -51,7 +51,7 @@ TEST_CASE("a run's HTML report has the numbers of its JSON report, all layers, a
   const Json report = Json::parse(contents(run.folder.path("report.json")));
   CHECK(facts["certificate"] == report["certificate"]);
   CHECK(facts["statistics"] == report["statistics"]);
-  for (const char* layer : {"surface", "field", "charts", "contours", "critical", "reeb", "quads"}) {
+  for (const char* layer : {"surface", "cuts", "field", "charts", "contours", "critical", "reeb", "quads"}) {
     CAPTURE(layer);
     CHECK(count(html, "data-layer=\"" + std::string(layer) + "\">UlFT") == 1); // "RQS" begins each message
   }

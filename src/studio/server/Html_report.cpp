@@ -31,7 +31,7 @@ std::string escaped_text(const std::string& text) {
   return replaced(replaced(text, "&", "&amp;"), "<", "&lt;");
 }
 
-constexpr std::array<const char*, 3> of_the_surface{"surface", "field", "charts"};
+constexpr std::array<const char*, 4> of_the_surface{"surface", "cuts", "field", "charts"};
 
 bool is_too_large(const Layers& part) {
   std::size_t size = 0;

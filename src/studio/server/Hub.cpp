@@ -247,11 +247,13 @@ void Hub::publish_from_worker() {
     // on it are sent anew.
     const auto same = [&](const std::string& name) {
       const auto before = m_layers.find(name), after = layers.find(name);
-      return before != m_layers.end() && after != layers.end() && *before->second == *after->second;
+      if (before == m_layers.end() || after == layers.end()) return false;
+      return before->second == after->second || *before->second == *after->second;
     };
     const bool same_surface = same("surface");
     for (auto& [name, bytes] : layers)
-      if (same(name) && (same_surface || (name != "field" && name != "charts"))) bytes = m_layers[name];
+      if (same(name) && (same_surface || (name != "cuts" && name != "field" && name != "charts")))
+        bytes = m_layers[name];
     m_layers = std::move(layers);
     m_state = std::move(state);
     publish();
@@ -267,8 +269,8 @@ void Hub::publish() {
 
 void Hub::send_layers(Client& client) const {
   // The surface first: other layers give values to its vertices and faces.
-  constexpr std::array<const char*, 7> order{"surface",  "field", "charts", "contours",
-                                             "critical", "reeb",  "quads"};
+  constexpr std::array<const char*, 8> order{"surface",  "cuts",     "field", "charts",
+                                             "contours", "critical", "reeb",  "quads"};
   for (const char* name : order) {
     const auto current = m_layers.find(name);
     const auto bytes = current == m_layers.end() ? nullptr : current->second;

@@ -21,6 +21,25 @@ Frame surface_frame(const Triangle_surface& surface, const Point& origin) {
   return frame;
 }
 
+/// The faces that contours cross, in pieces: what of the embedded surface is not the surface's own.
+Frame cuts_frame(const Charted_surface& charted, const Point& origin) {
+  const Triangle_surface &base = charted.base, &cut = charted.embedding.surface;
+  Frame frame("cuts");
+  std::vector<std::uint32_t> face, base_face, triangle;
+  for (int f = 0; f < cut.number_of_faces(); ++f) {
+    if (f < base.number_of_faces() && cut.triangles[f] == base.triangles[f]) continue;
+    face.push_back(std::uint32_t(f));
+    base_face.push_back(std::uint32_t(charted.embedding.base_face[f]));
+    for (const int v : cut.triangles[f]) triangle.push_back(std::uint32_t(v));
+  }
+  frame.add_points("position", {cut.points.begin() + std::ptrdiff_t(base.points.size()), cut.points.end()},
+                   origin);
+  frame.add("face", face);
+  frame.add("base", base_face);
+  frame.add("triangle", triangle);
+  return frame;
+}
+
 Frame field_frame(const std::vector<double>& values) {
   Frame frame("field");
   frame.add("value", std::vector<float>(values.begin(), values.end()));
@@ -58,7 +77,7 @@ Frame contours_frame(const Layer_source& source) {
   for (std::size_t e = 0; e < network.edges.size(); ++e) {
     const Contour_edge& edge = network.edges[e];
     if (network.is_removed(edge)) continue;
-    for (const int v : edge.vertices) points.push_back(source.charted->surface.points[v]);
+    for (const int v : edge.vertices) points.push_back(source.charted->embedding.surface.points[v]);
     begin.push_back(std::uint32_t(points.size()));
     edges.push_back(int(e));
     counts.push_back(e < source.counts.size() ? source.counts[e] : 0);
@@ -77,7 +96,7 @@ Frame contours_frame(const Layer_source& source) {
 /// Minima, saddles and maxima: kinds 0, 1 and 2. Fractional saddles are 3 (half) and 4 (quarter).
 Frame critical_frame(const Layer_source& source) {
   Frame frame("critical");
-  const std::vector<Point>& all = source.charted->surface.points;
+  const std::vector<Point>& all = source.charted->embedding.surface.points;
   const Contour_network& network = source.charted->network;
   std::vector<Point> points;
   std::vector<std::int32_t> vertices;
@@ -179,15 +198,14 @@ Frame quads_frame(const Layer_source& source) {
 
 Layers make_layers(const Layer_source& source) {
   Layers layers;
+  if (source.surface) layers["surface"] = surface_frame(*source.surface, source.origin).encode();
   if (source.charted) {
-    layers["surface"] = surface_frame(source.charted->surface, source.origin).encode();
+    layers["cuts"] = cuts_frame(*source.charted, source.origin).encode();
     layers["field"] = field_frame(source.charted->values).encode();
     layers["charts"] = charts_frame(source).encode();
     layers["contours"] = contours_frame(source).encode();
     layers["critical"] = critical_frame(source).encode();
     layers["reeb"] = reeb_frame(source).encode();
-  } else if (source.surface) {
-    layers["surface"] = surface_frame(*source.surface, source.origin).encode();
   }
   if (source.quads) layers["quads"] = quads_frame(source).encode();
   return layers;

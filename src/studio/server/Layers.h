@@ -16,11 +16,12 @@ using Layers = std::map<std::string, std::shared_ptr<const std::string>>;
 
 /// A surface with contours cut in, and what is drawn on it.
 struct Charted_surface {
-  const CGAL::Reeb_quadrangulation::Triangle_surface& surface;
+  const CGAL::Reeb_quadrangulation::Triangle_surface& base; ///< before the cuts
+  const CGAL::Reeb_quadrangulation::Embedding& embedding;
   const CGAL::Reeb_quadrangulation::Contour_network& network;
   const CGAL::Reeb_quadrangulation::Reeb_graph& graph;
   const std::vector<int>& chart_of_face;
-  const std::vector<double>& values; ///< the field at the vertices of `surface`
+  const std::vector<double>& values; ///< the field at the vertices of `embedding`
 };
 
 /// What the layers are made of; a null pointer stands for what there is not yet.
@@ -28,7 +29,7 @@ struct Layer_source {
   CGAL::Reeb_quadrangulation::Point origin =
       CGAL::Reeb_quadrangulation::Point::Zero(); ///< subtracted from all points
 
-  const CGAL::Reeb_quadrangulation::Triangle_surface* surface = nullptr; ///< shown while there are no charts
+  const CGAL::Reeb_quadrangulation::Triangle_surface* surface = nullptr; ///< before any cuts
   const Charted_surface* charted = nullptr; ///< this and the next three go together
   std::vector<int> chart_ids;               ///< the number that each chart is shown by
   std::vector<CGAL::Reeb_quadrangulation::Design_extremum> extrema;
@@ -38,7 +39,7 @@ struct Layer_source {
   std::vector<int> chart_of_quad;
 };
 
-/// Makes the layers "surface", "field", "charts", "contours", "critical", "reeb" and "quads", as far as there is something to
+/// Makes the layers "surface", "cuts", "field", "charts", "contours", "critical", "reeb" and "quads", as far as there is something to
 /// show, as src/studio/protocol.md describes them.
 Layers make_layers(const Layer_source& source);
 

@@ -21,7 +21,7 @@ struct Bands {
 };
 
 std::vector<Bands> measure(const Charted_surface& charted) {
-  const Triangle_surface& surface = charted.surface;
+  const Triangle_surface& surface = charted.embedding.surface;
   const std::vector<double>& values = charted.values;
   std::vector<Bands> charts(charted.graph.arcs.size());
   const auto mean = [&](const Triangle& t) { return (values[t[0]] + values[t[1]] + values[t[2]]) / 3; };
@@ -56,7 +56,7 @@ void smooth(std::vector<Point>& line) {
 }
 
 std::vector<Point> node_positions(const Charted_surface& charted) {
-  const std::vector<Point>& points = charted.surface.points;
+  const std::vector<Point>& points = charted.embedding.surface.points;
   const Contour_network& network = charted.network;
   const Reeb_graph& graph = charted.graph;
   std::vector<Point> position(graph.number_of_nodes(), Point::Zero());

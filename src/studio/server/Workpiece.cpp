@@ -54,7 +54,12 @@ Json chart_json(const Design_chart& chart) {
 
 } // namespace
 
-Workpiece::Workpiece(Editor editor) : m_editor(std::move(editor)), m_origin(middle(m_editor.input())) {}
+Workpiece::Workpiece(Editor editor) : m_editor(std::move(editor)), m_origin(middle(m_editor.input())) {
+  Layer_source source;
+  source.surface = &m_editor.working_surface();
+  source.origin = m_origin;
+  m_surface = make_layers(source);
+}
 
 Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, Observer* observer) {
   Result<Editor> editor = Editor::create(std::move(surface), {}, observer);
@@ -136,16 +141,15 @@ std::string Workpiece::recipe() const {
 }
 
 Layers Workpiece::layers() const {
-  Layer_source source;
-  source.surface = &m_editor.working_surface();
-  source.origin = m_origin;
   const Design& design = m_editor.design();
-  if (design.charts.empty()) return make_layers(source);
+  if (design.charts.empty()) return m_surface;
+  Layer_source source;
+  source.origin = m_origin;
   const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
   const Reeb_graph graph = reeb_graph(design.atlas, design.network);
   const std::vector<double> values = design_field(design, embedded.embedding);
-  const Charted_surface charted{embedded.embedding.surface, design.network, graph, embedded.chart_of_face,
-                                values};
+  const Charted_surface charted{
+      m_editor.working_surface(), embedded.embedding, design.network, graph, embedded.chart_of_face, values};
   source.charted = &charted;
   for (const auto& chart : design.charts) source.chart_ids.push_back(chart->id);
   source.extrema = design.extrema;
@@ -154,7 +158,9 @@ Layers Workpiece::layers() const {
     source.quads = &m_quads->mesh;
     source.chart_of_quad = m_quads->chart_of_quad;
   }
-  return make_layers(source);
+  Layers layers = make_layers(source);
+  layers.insert(m_surface.begin(), m_surface.end());
+  return layers;
 }
 
 Json Workpiece::facts() const {

@@ -57,6 +57,7 @@ private:
 
   CGAL::Reeb_quadrangulation::Editor m_editor;
   CGAL::Reeb_quadrangulation::Point m_origin;
+  Layers m_surface; ///< the layer of the surface, which no edit changes
   std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
   bool m_finished = false;
   bool m_previewed = false; ///< the last edit, which could be redone, was taken back for good

@@ -141,6 +141,7 @@ export class App {
     const name = state.file?.name ?? "";
     const hasQuads = Boolean(state.statistics);
     if (name && name !== this.fileName) {
+      setTimeout(() => this.stage.surface.prepare(), 500);
       this.viewport.fit(this.stage.surface.positions);
       if (state.file!.mends.length) this.toasts.show("The mesh was mended", state.file!.mends.join(" "));
       if (state.file!.components > 1) this.toasts.show("There are several parts", `The largest of ${state.file!.components} is worked on.`);

@@ -52,7 +52,7 @@ class Report {
       this.layers.add(element.dataset.layer!);
     }
     // In the order in which layers refer to each other.
-    for (const layer of ["surface", "field", "charts", "contours", "critical", "reeb", "quads"])
+    for (const layer of ["surface", "cuts", "field", "charts", "contours", "critical", "reeb", "quads"])
       for (const element of document.querySelectorAll<HTMLScriptElement>(`script[data-layer="${layer}"]`)) {
         const text = atob(element.textContent!);
         const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));

@@ -9,7 +9,7 @@ function hex(code: string): Rgb {
 }
 
 /** Soft colours for charts; neighbours in the list are far apart in hue. */
-const chartPalette = [
+export const chartPalette = [
   "#7fb8d8", "#e8b27c", "#9ccb8f", "#d691a9", "#b5a2dc", "#e3d37a", "#79c8bd", "#e2978a", "#a9b8c6", "#c7b08d",
   "#8ea5e0", "#c5d685",
 ].map(hex);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shaders: clay lit from the eye and from above, and markers of constant size on the screen.
 import * as THREE from "three";
+import { chartPalette } from "./colours";
 
 const light = /* glsl */ `
   vec3 lit(vec3 colour, vec3 normal, vec3 toEye) {
@@ -49,7 +50,9 @@ export enum SurfaceColour {
 
 export function surfaceMaterial(): THREE.ShaderMaterial {
   return new THREE.ShaderMaterial({
+    defines: { PALETTE: chartPalette.length },
     uniforms: {
+      palette: { value: chartPalette.map((c) => new THREE.Vector3(...c)) },
       mode: { value: SurfaceColour.plain },
       clay: { value: new THREE.Vector3(0.82, 0.79, 0.74) },
       isolines: { value: 0 },
@@ -63,25 +66,23 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
     vertexShader: /* glsl */ `
       attribute float field;
       attribute float chart;
-      attribute vec3 chartColour;
       varying float vField;
-      varying float vChart;
-      varying vec3 vColour;
+      flat varying float vChart;
       ${place}
       void main() {
         vField = field;
         vChart = chart;
-        vColour = chartColour;
         placeVertex();
+        if (chart < -1.5) gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // drawn in pieces
       }`,
     fragmentShader: /* glsl */ `
       uniform int mode;
       uniform vec3 clay;
       uniform float isolines, lowest, highest, hovered, selected;
       uniform vec3 accent;
+      uniform vec3 palette[PALETTE];
       varying float vField;
-      varying float vChart;
-      varying vec3 vColour;
+      flat varying float vChart;
       ${shade}
       vec3 fieldColour(float t) {
         vec3 a = vec3(0.184, 0.388, 0.710), b = vec3(0.498, 0.698, 0.867), c = vec3(0.937, 0.902, 0.824);
@@ -91,7 +92,7 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
       }
       void main() {
         float t = (vField - lowest) / max(highest - lowest, 1e-12);
-        vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? vColour : clay;
+        vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? (vChart < 0.0 ? vec3(0.6) : palette[int(mod(vChart + 0.5, float(PALETTE)))]) : clay;
         if (isolines > 0.0) {
           float s = t * isolines;
           float width = fwidth(s);

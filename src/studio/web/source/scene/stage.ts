@@ -51,14 +51,16 @@ export class Stage {
     this.contourLines.object.renderOrder = 2;
     this.reebLines.object.renderOrder = 7;
     this.chosenContour.object.renderOrder = 6;
+    viewport.onRender.push(() => this.surface.update());
     viewport.scene.add(
-      this.surface.mesh, this.quads.group, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.surface.group, this.quads.group, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 
   /** Takes a layer of the program. */
   take(frame: Frame): void {
     if (frame.layer === "surface") this.surface.setSurface(frame);
+    else if (frame.layer === "cuts") this.surface.setCuts(frame);
     else if (frame.layer === "field") this.surface.setField(frame);
     else if (frame.layer === "charts") this.surface.setCharts(frame);
     else if (frame.layer === "contours") this.setContours(frame);
@@ -69,6 +71,7 @@ export class Stage {
   }
 
   remove(layer: string): void {
+    if (layer === "cuts") this.surface.clearDesign();
     if (layer === "quads") this.quads.clear();
     if (layer === "contours") this.clearContours();
     if (layer === "critical") this.removePoints("criticalPoints");
@@ -83,7 +86,7 @@ export class Stage {
     this.shown = shown;
     const on = (layer: LayerId): boolean => shown.has(layer);
     const colour = on("charts") ? SurfaceColour.charts : on("field") ? SurfaceColour.field : SurfaceColour.plain;
-    this.surface.mesh.visible = !this.surface.isEmpty && (on("surface") || (this.quads.isEmpty && on("quads")));
+    this.surface.group.visible = !this.surface.isEmpty && (on("surface") || (this.quads.isEmpty && on("quads")));
     this.surface.setColour(colour, on("isolines") ? 40 : 0);
     const seeThrough = on("xray") || on("reeb");
     this.surface.setXray(seeThrough);

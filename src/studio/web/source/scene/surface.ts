@@ -1,32 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The input surface with the field's colours or the charts', and what the pointer meets on it.
+// The surface with the field's colours or the charts', and what the pointer meets on it. An edit changes only how contours cut it:
+// the surface itself, its normals and its search tree stay; the faces that are cut are hidden and drawn in pieces.
 import * as THREE from "three";
 import { MeshBVH, acceleratedRaycast } from "three-mesh-bvh";
 import { floats, indices, integers, type Frame } from "../net/frame";
-import { chartColour } from "./colours";
 import { SurfaceColour, surfaceMaterial } from "./materials";
 
 export interface Hit {
   point: THREE.Vector3;
-  face: number;
-  /** The nearest vertex of that face. */
-  vertex: number;
   chart: number;
-  normal: THREE.Vector3;
 }
+
+const hidden = -2; // the chart of a face that is drawn in pieces
+
+interface Cuts {
+  position: Float32Array;
+  /** Of each piece: the face that it is, and the face of the surface that it lies in. */
+  face: Uint32Array;
+  base: Uint32Array;
+  triangle: Uint32Array;
+}
+const noCuts: Cuts = { position: new Float32Array(), face: new Uint32Array(), base: new Uint32Array(), triangle: new Uint32Array() };
 
 export class Surface {
   readonly material = surfaceMaterial();
-  readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+  readonly group = new THREE.Group();
+  /** Of the surface with its cuts. */
   positions = new Float32Array();
   triangles = new Uint32Array();
-  values = new Float32Array();
-  chartOfFace = new Int32Array();
+  values: Float32Array = new Float32Array();
+  chartOfFace: Int32Array = new Int32Array();
   radius = 1;
+  private readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+  private readonly pieces = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+  private basePositions = new Float32Array();
+  private baseTriangles = new Uint32Array();
+  private normals = new Float32Array();
+  private cuts = noCuts;
+  private piecesOf = new Map<number, number[]>();
+  private stale = false;
   private picking: THREE.Mesh | null = null;
 
   constructor() {
-    this.mesh.frustumCulled = false;
+    this.mesh.frustumCulled = this.pieces.frustumCulled = false;
+    this.group.add(this.mesh, this.pieces);
   }
 
   get isEmpty(): boolean {
@@ -35,53 +52,67 @@ export class Surface {
   get hasField(): boolean {
     return this.values.length > 0;
   }
-  get bvh(): MeshBVH | undefined {
-    return this.picker().geometry.boundsTree as MeshBVH | undefined;
-  }
 
   /** Corners are not shared between triangles, so that a triangle has one colour. */
   setSurface(frame: Frame): void {
-    this.positions = floats(frame, "position") as Float32Array<ArrayBuffer>;
-    this.triangles = indices(frame, "triangle") as Uint32Array<ArrayBuffer>;
-    this.values = new Float32Array();
-    this.chartOfFace = new Int32Array();
+    this.basePositions = floats(frame, "position") as Float32Array<ArrayBuffer>;
+    this.baseTriangles = indices(frame, "triangle") as Uint32Array<ArrayBuffer>;
     this.picking = null;
-    const normals = vertexNormals(this.positions, this.triangles);
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.positions, this.triangles, 3), 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(spread(normals, this.triangles, 3), 3));
-    let square = 0;
-    for (let i = 0; i < this.positions.length; i += 3)
-      square = Math.max(square, this.positions[i]! ** 2 + this.positions[i + 1]! ** 2 + this.positions[i + 2]! ** 2);
-    this.radius = Math.sqrt(square) || 1;
+    this.normals = vertexNormals(this.basePositions, this.baseTriangles);
+    const geometry = new THREE.BufferGeometry(), corners = this.baseTriangles.length;
+    geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.basePositions, this.baseTriangles, 3), 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(spread(this.normals, this.baseTriangles, 3), 3));
+    geometry.setAttribute("field", new THREE.BufferAttribute(new Float32Array(corners), 1));
+    geometry.setAttribute("chart", new THREE.BufferAttribute(new Float32Array(corners), 1));
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
+    this.radius = radiusOf(this.basePositions);
+    this.clearDesign();
+  }
+
+  clearDesign(): void {
+    this.values = new Float32Array();
+    this.chartOfFace = new Int32Array();
+    this.cut(noCuts);
+  }
+
+  setCuts(frame: Frame): void {
+    this.cut({ position: floats(frame, "position"), face: indices(frame, "face"), base: indices(frame, "base"), triangle: indices(frame, "triangle") });
   }
 
   setField(frame: Frame): void {
-    this.values = floats(frame, "value") as Float32Array<ArrayBuffer>;
-    this.mesh.geometry.setAttribute("field", new THREE.BufferAttribute(spread(this.values, this.triangles, 1), 1));
-    let low = Infinity, high = -Infinity;
-    for (const value of this.values) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
-    this.material.uniforms.lowest!.value = low;
-    this.material.uniforms.highest!.value = high;
+    this.values = floats(frame, "value");
+    this.stale = true;
   }
 
   setCharts(frame: Frame): void {
-    this.chartOfFace = integers(frame, "chart") as Int32Array<ArrayBuffer>;
-    const colours = new Uint8Array(3 * this.triangles.length), charts = new Float32Array(this.triangles.length);
-    for (let f = 0; f < this.chartOfFace.length; ++f) {
-      const chart = this.chartOfFace[f]!, colour = chartColour(chart);
-      for (let corner = 3 * f; corner < 3 * f + 3; ++corner) {
-        charts[corner] = chart;
-        for (let i = 0; i < 3; ++i) colours[3 * corner + i] = 255 * colour[i]!;
+    this.chartOfFace = integers(frame, "chart");
+    this.stale = true;
+  }
+
+  /** Brings what is drawn up to date; called before a picture. */
+  update(): void {
+    if (!this.stale) return;
+    this.stale = false;
+    const charts = this.mesh.geometry.getAttribute("chart") as THREE.BufferAttribute | undefined;
+    if (!charts) return;
+    const chartOfCorner = charts.array as Float32Array;
+    for (let f = 0; f < this.baseTriangles.length / 3; ++f) chartOfCorner.fill(this.chartOfFace[f] ?? -1, 3 * f, 3 * f + 3);
+    for (const f of this.cuts.base) chartOfCorner.fill(hidden, 3 * f, 3 * f + 3);
+    charts.needsUpdate = true;
+    if (this.hasField) {
+      const field = this.mesh.geometry.getAttribute("field") as THREE.BufferAttribute;
+      spreadInto(field.array as Float32Array, this.values, this.baseTriangles, 1);
+      field.needsUpdate = true;
+      let low = Infinity, high = -Infinity;
+      for (const value of this.values) {
+        low = Math.min(low, value);
+        high = Math.max(high, value);
       }
+      this.material.uniforms.lowest!.value = low;
+      this.material.uniforms.highest!.value = high;
     }
-    this.mesh.geometry.setAttribute("chartColour", new THREE.BufferAttribute(colours, 3, true));
-    this.mesh.geometry.setAttribute("chart", new THREE.BufferAttribute(charts, 1));
+    this.makePieces();
   }
 
   setColour(mode: SurfaceColour, isolines: number): void {
@@ -102,16 +133,7 @@ export class Surface {
     ray.firstHitOnly = true;
     const [hit] = ray.intersectObject(this.picker(), false);
     if (!hit || hit.faceIndex == null) return null;
-    const face = hit.faceIndex;
-    let vertex = -1, nearest = Infinity;
-    for (let i = 0; i < 3; ++i) {
-      const v = this.triangles[3 * face + i]!;
-      const d = this.vertex(v).distanceToSquared(hit.point);
-      if (d < nearest) [nearest, vertex] = [d, v];
-    }
-    return {
-      point: hit.point.clone(), face, vertex, chart: this.chartOfFace[face] ?? -1, normal: hit.face?.normal.clone() ?? new THREE.Vector3(0, 0, 1),
-    };
+    return { point: hit.point.clone(), chart: this.chartOfFace[this.faceAt(hit.faceIndex, hit.point)] ?? -1 };
   }
 
   vertex(v: number): THREE.Vector3 {
@@ -137,11 +159,11 @@ export class Surface {
   }
 
   /** The segments in which a plane meets the surface, as pairs of points. */
-  cut(plane: THREE.Plane): Float32Array {
+  intersection(plane: THREE.Plane): Float32Array {
     const out: number[] = [];
     const corners = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()] as const;
     const sides: [number, number, number] = [0, 0, 0];
-    this.bvh?.shapecast({
+    (this.picker().geometry.boundsTree as MeshBVH | undefined)?.shapecast({
       intersectsBounds: (box) => plane.intersectsBox(box),
       intersectsTriangle: (triangle) => {
         corners[0].copy(triangle.a);
@@ -160,12 +182,77 @@ export class Surface {
     return new Float32Array(out);
   }
 
-  // Built when it is first needed: it takes a while on large surfaces.
+  /** The search tree takes a while on large surfaces: called when there is time. */
+  prepare(): void {
+    if (!this.isEmpty) this.picker();
+  }
+
+  private cut(cuts: Cuts): void {
+    this.cuts = cuts;
+    this.positions = joined(this.basePositions, cuts.position);
+    const faces = cuts.face.reduce((most, f) => Math.max(most, f + 1), this.baseTriangles.length / 3);
+    this.triangles = new Uint32Array(3 * faces);
+    this.triangles.set(this.baseTriangles);
+    this.piecesOf = new Map();
+    cuts.base.forEach((base, i) => {
+      for (let k = 0; k < 3; ++k) this.triangles[3 * cuts.face[i]! + k] = cuts.triangle[3 * i + k]!;
+      const pieces = this.piecesOf.get(base);
+      if (pieces) pieces.push(cuts.face[i]!);
+      else this.piecesOf.set(base, [cuts.face[i]!]);
+    });
+    this.stale = true;
+  }
+
+  // A vertex on a contour has the normal that the surface's shading has there.
+  private makePieces(): void {
+    const { triangle, base, face } = this.cuts, vertices = this.basePositions.length / 3;
+    const normals = new Float32Array(3 * triangle.length), charts = new Float32Array(triangle.length), normal = new THREE.Vector3();
+    triangle.forEach((v, corner) => {
+      const piece = Math.floor(corner / 3);
+      charts[corner] = this.chartOfFace[face[piece]!] ?? -1;
+      if (v < vertices) normal.fromArray(this.normals, 3 * v);
+      else this.normalIn(base[piece]!, this.vertex(v), normal);
+      normal.toArray(normals, 3 * corner);
+    });
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.positions, triangle, 3), 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
+    geometry.setAttribute("field", new THREE.BufferAttribute(spread(this.values, triangle, 1), 1));
+    geometry.setAttribute("chart", new THREE.BufferAttribute(charts, 1));
+    this.pieces.geometry.dispose();
+    this.pieces.geometry = geometry;
+    this.pieces.visible = triangle.length > 0;
+  }
+
+  private corners(face: number): [number, number, number] {
+    return [this.triangles[3 * face]!, this.triangles[3 * face + 1]!, this.triangles[3 * face + 2]!];
+  }
+
+  private normalIn(baseFace: number, point: THREE.Vector3, normal: THREE.Vector3): void {
+    const [a, b, c] = [0, 1, 2].map((k) => this.baseTriangles[3 * baseFace + k]!) as [number, number, number];
+    const at = THREE.Triangle.getBarycoord(point, this.vertex(a), this.vertex(b), this.vertex(c), new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
+    normal.set(0, 0, 0);
+    [a, b, c].forEach((v, k) => normal.addScaledVector(new THREE.Vector3().fromArray(this.normals, 3 * v), at.getComponent(k)));
+  }
+
+  /** The face, or the piece of it, that contains a point of a face of the surface. */
+  private faceAt(baseFace: number, point: THREE.Vector3): number {
+    let best = baseFace, most = -Infinity;
+    for (const piece of this.piecesOf.get(baseFace) ?? []) {
+      const [a, b, c] = this.corners(piece).map((v) => this.vertex(v)) as [THREE.Vector3, THREE.Vector3, THREE.Vector3];
+      const at = THREE.Triangle.getBarycoord(point, a, b, c, new THREE.Vector3());
+      const least = at ? Math.min(at.x, at.y, at.z) : -Infinity;
+      if (least > most) [most, best] = [least, piece];
+    }
+    return best;
+  }
+
+  // Built when it is first needed.
   private picker(): THREE.Mesh {
     if (this.picking) return this.picking;
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(this.positions, 3));
-    geometry.setIndex(new THREE.BufferAttribute(this.triangles, 1));
+    geometry.setAttribute("position", new THREE.BufferAttribute(this.basePositions, 3));
+    geometry.setIndex(new THREE.BufferAttribute(this.baseTriangles, 1));
     // `indirect` keeps the order of the faces.
     geometry.boundsTree = new MeshBVH(geometry, { indirect: true });
     this.picking = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
@@ -174,15 +261,33 @@ export class Surface {
   }
 }
 
-function spread(values: Float32Array, index: Uint32Array, size: number): Float32Array {
-  const out = new Float32Array(size * index.length);
-  for (let i = 0; i < index.length; ++i)
-    for (let k = 0; k < size; ++k) out[size * i + k] = values[size * index[i]! + k]!;
+function joined(a: Float32Array, b: Float32Array): Float32Array<ArrayBuffer> {
+  const out = new Float32Array(a.length + b.length);
+  out.set(a);
+  out.set(b, a.length);
   return out;
 }
 
+function spreadInto(out: Float32Array, values: Float32Array, index: Uint32Array, size: number): void {
+  for (let i = 0; i < index.length; ++i)
+    for (let k = 0; k < size; ++k) out[size * i + k] = values[size * index[i]! + k]!;
+}
+
+function spread(values: Float32Array, index: Uint32Array, size: number): Float32Array<ArrayBuffer> {
+  const out = new Float32Array(size * index.length);
+  spreadInto(out, values, index, size);
+  return out;
+}
+
+/** The greatest distance of a point (x, y, z) from the origin. */
+export function radiusOf(points: Float32Array): number {
+  let square = 0;
+  for (let i = 0; i < points.length; i += 3) square = Math.max(square, points[i]! ** 2 + points[i + 1]! ** 2 + points[i + 2]! ** 2);
+  return Math.sqrt(square) || 1;
+}
+
 /** The sum of the normals of the faces around each vertex, weighted by area. */
-export function vertexNormals(p: Float32Array, triangles: Uint32Array): Float32Array {
+export function vertexNormals(p: Float32Array, triangles: Uint32Array): Float32Array<ArrayBuffer> {
   const normals = new Float32Array(p.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
@@ -194,6 +299,11 @@ export function vertexNormals(p: Float32Array, triangles: Uint32Array): Float32A
       normals[v + 1] = normals[v + 1]! + y;
       normals[v + 2] = normals[v + 2]! + z;
     }
+  }
+  // Unit length, so that what is between two vertices is not ruled by the larger faces.
+  for (let i = 0; i < normals.length; i += 3) {
+    const length = Math.hypot(normals[i]!, normals[i + 1]!, normals[i + 2]!) || 1;
+    for (let k = i; k < i + 3; ++k) normals[k] = normals[k]! / length;
   }
   return normals;
 }

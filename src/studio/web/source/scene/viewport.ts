@@ -2,6 +2,7 @@
 // The canvas: camera, render on demand, and the rays of the pointer.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { radiusOf } from "./surface";
 
 export interface Theme {
   top: string;
@@ -15,6 +16,8 @@ export class Viewport {
   readonly controls: OrbitControls;
   /** Called after the size changed; lines of constant width need it. */
   readonly onResize: ((width: number, height: number) => void)[] = [];
+  /** Called before each picture. */
+  readonly onRender: (() => void)[] = [];
   private wanted = true;
   private radius = 1;
   private points: Float32Array = new Float32Array();
@@ -132,7 +135,7 @@ export class Viewport {
 
   /** The picture as a PNG file. */
   screenshot(): Promise<Blob> {
-    this.renderer.render(this.scene, this.camera);
+    this.render();
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The browser makes no picture."))), "image/png");
     });
@@ -152,6 +155,11 @@ export class Viewport {
     this.controls.update();
     if (!this.wanted) return;
     this.wanted = false;
+    this.render();
+  }
+
+  private render(): void {
+    for (const listener of this.onRender) listener();
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -164,10 +172,4 @@ export class Viewport {
     if (t >= 1) this.flight = null;
     this.invalidate();
   }
-}
-
-function radiusOf(points: Float32Array): number {
-  let square = 0;
-  for (let i = 0; i < points.length; i += 3) square = Math.max(square, points[i]! ** 2 + points[i + 1]! ** 2 + points[i + 2]! ** 2);
-  return Math.sqrt(square) || 1;
 }

@@ -161,7 +161,7 @@ export class PlaneTool implements Tool {
 
   private changed(ask = true): void {
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.normal, this.plane.position);
-    this.curve.set(this.app.stage.surface.cut(plane));
+    this.curve.set(this.app.stage.surface.intersection(plane));
     this.curve.show(this.contour !== null);
     this.setRefusal("");
     clearTimeout(this.timer);
