@@ -83,7 +83,7 @@ private:
     std::vector<double> area(n);
     double total = 0;
     for (std::size_t c = 0; c < n; ++c) {
-      area[c] = Reeb_quadrangulation::area(m_run.components[c].surface);
+      area[c] = CGAL::Reeb_quadrangulation::area(m_run.components[c].surface);
       total += area[c];
       options[c].extrema.clear();
     }
