@@ -148,6 +148,7 @@ Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_
   Harmonic_field harmonic(surface);
   harmonic.set_weights(options.weights);
   harmonic.set_method(options.constraints);
+  harmonic.set_threads(internal::number_of_threads(options.threads));
   return solve_field(surface, harmonic, field);
 }
 
