@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_quadrangulation/Embedding.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
+#include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
@@ -55,6 +56,7 @@
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
+#include <CGAL/Reeb_quadrangulation/suggest_edits.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>

@@ -49,6 +49,7 @@ Exit_code execute_check(const Arguments& arguments);
 Exit_code execute_replay(const Arguments& arguments);
 Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_shape(const Arguments& arguments);
+Exit_code execute_suggest(const Arguments& arguments);
 Exit_code execute_studio(const Arguments& arguments);
 Exit_code execute_version(const Arguments& arguments);
 

@@ -4,15 +4,13 @@
 #include "Design_output.h"
 #include "Input.h"
 #include "Interruption.h"
+#include "Recipe_input.h"
 #include "Terminal_observer.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
-#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace reebquad {
 
@@ -63,36 +61,16 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   return options;
 }
 
-std::string read_text(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
-    throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
-  return text.str();
-}
-
-Triangle_surface read_component(const std::string& file) {
-  Mended_surface mended = value_or_fail(mend_surface(read_soup(file)), file);
-  if (mended.components.size() != 1)
-    throw Failure(Exit_code::not_a_surface, file + ": a recipe is for one connected surface, this file has " +
-                                                std::to_string(mended.components.size()));
-  return std::move(mended.components[0].surface);
-}
-
-// Applies the edits; says which one no longer applies.
-void apply_edits(Editor& editor, const Recipe& recipe, const Replay_options& options, Observer& observer) {
+// As many of the edits as are asked for.
+Recipe read_recipe_until(const Replay_options& options) {
+  Recipe recipe = read_recipe(options.recipe);
   const std::size_t last = options.until < 0 ? recipe.edits.size() : std::size_t(options.until);
   if (last > recipe.edits.size())
     throw Usage_error("--until " + std::to_string(last) + ": the recipe has " +
                       std::to_string(recipe.edits.size()) + " edits");
-  for (std::size_t i = 0; i < last; ++i) {
-    const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
-    if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
-    if (!done)
-      throw Failure(exit_code(done.error().code), options.recipe + ": edit " + std::to_string(i + 1) + " (" +
-                                                      name(recipe.edits[i]) +
-                                                      ") does not apply: " + done.error().message);
-  }
+  recipe.edits.resize(last);
+  recipe.options.threads = options.threads;
+  return recipe;
 }
 
 } // namespace
@@ -103,11 +81,7 @@ Exit_code execute_replay(const Arguments& arguments) {
   require_writable_format(options->output);
   watch_for_interruption();
   Terminal_observer observer(options->quiet);
-  Recipe recipe = value_or_fail(recipe_from_json(read_text(options->recipe)), options->recipe);
-  recipe.options.threads = options->threads;
-  Editor editor = value_or_fail(Editor::create(read_component(options->input), recipe.options, &observer),
-                                options->input);
-  apply_edits(editor, recipe, *options, observer);
+  const Editor editor = replay_recipe(options->input, read_recipe_until(*options), options->recipe, observer);
 
   Snap_options features;
   features.feature_angle = options->feature_angle;

@@ -180,13 +180,13 @@ int Draft::chart_of_vertex(int vertex) const {
   return -1;
 }
 
-namespace {
-
 double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const Point d = b - a;
   const double length = d.squaredNorm(), t = length > 0 ? (p - a).dot(d) / length : 0;
   return (a + std::min(1.0, std::max(0.0, t)) * d - p).squaredNorm();
 }
+
+namespace {
 
 // The barycentric coordinates of a point in the plane of a triangle; minus infinity if that has no area.
 std::array<double, 3> weights_in(const Point& p, const Point& a, const Point& b, const Point& c) {

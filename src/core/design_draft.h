@@ -37,6 +37,8 @@ private:
   std::vector<int> m_places;
 };
 
+double squared_distance_to_segment(const Point& p, const Point& a, const Point& b);
+
 /// A point as it lies in a chart; chart -1 if it does not.
 struct Chart_point {
   int chart = -1;

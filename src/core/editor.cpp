@@ -89,6 +89,9 @@ struct Editor::Implementation {
 
   const Design& design() const { return *states[position]; }
   Result<Design> changed(const Edit& edit, Observer* observer) const {
+    if (design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
+        !std::holds_alternative<Set_extrema>(edit))
+      return refuse("the design is empty", "place extrema first");
     Draft draft(working, *projector, *solver, design(), options, observer);
     Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
     if (!next || !has_edited_texture(*next)) return next;
@@ -148,9 +151,6 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
 Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   Implementation& m = *m_implementation;
   const auto begin = std::chrono::steady_clock::now();
-  if (m.design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
-      !std::holds_alternative<Set_extrema>(edit))
-    return refuse("the design is empty", "place extrema first");
   Result<Design> design = m.changed(edit, observer);
   if (!design) return design.error();
   auto state = std::make_shared<const Design>(std::move(*design));
@@ -162,6 +162,10 @@ Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   ++m.position;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return report;
+}
+
+Result<Design> Editor::preview(const Edit& edit, Observer* observer) const {
+  return m_implementation->changed(edit, observer);
 }
 
 bool Editor::can_undo() const {

@@ -83,7 +83,7 @@ TEST_CASE("usage errors return 2 and say what was wrong") {
 }
 
 TEST_CASE("every command explains itself") {
-  for (const std::string command : {"run", "check", "stats", "shape"}) {
+  for (const std::string command : {"run", "check", "replay", "suggest", "stats", "shape"}) {
     const Outcome outcome = reebquad({command, "--help"});
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "Usage: reebquad " + command));

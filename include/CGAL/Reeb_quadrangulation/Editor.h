@@ -50,6 +50,9 @@ public:
   /// Applies an edit; redoable edits are forgotten.
   Result<Edit_report> apply(const Edit& edit, Observer* observer = nullptr);
 
+  /// The design that an edit would lead to; nothing changes. Fails like `apply()` and takes as long.
+  Result<Design> preview(const Edit& edit, Observer* observer = nullptr) const;
+
   bool can_undo() const;
   bool can_redo() const;
   Edit_report undo(); ///< \pre `can_undo()`

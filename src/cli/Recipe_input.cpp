@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Recipe_input.h"
+
+#include "Failure.h"
+#include "Input.h"
+#include "Interruption.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+std::string read_text(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf()))
+    throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
+  return text.str();
+}
+
+Triangle_surface read_component(const std::string& file) {
+  Mended_surface mended = value_or_fail(mend_surface(read_soup(file)), file);
+  if (mended.components.size() != 1)
+    throw Failure(Exit_code::not_a_surface, file + ": a recipe is for one connected surface, this file has " +
+                                                std::to_string(mended.components.size()));
+  return std::move(mended.components[0].surface);
+}
+
+} // namespace
+
+Recipe read_recipe(const std::string& file) {
+  return value_or_fail(recipe_from_json(read_text(file)), file);
+}
+
+Editor replay_recipe(const std::string& input, const Recipe& recipe, const std::string& recipe_name,
+                     Terminal_observer& observer) {
+  Editor editor = value_or_fail(Editor::create(read_component(input), recipe.options, &observer), input);
+  for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
+    const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
+    if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    if (!done)
+      throw Failure(exit_code(done.error().code), recipe_name + ": edit " + std::to_string(i + 1) + " (" +
+                                                      name(recipe.edits[i]) +
+                                                      ") does not apply: " + done.error().message);
+  }
+  return editor;
+}
+
+} // namespace reebquad
