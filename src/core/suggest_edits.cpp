@@ -161,12 +161,10 @@ private:
   }
 
   void find_saddles() {
-    std::vector<char> seen(m_design.network.nodes.size(), 0);
-    for (const Contour_edge& edge : m_design.network.edges) {
-      if (m_design.network.is_removed(edge) || seen[edge.from]) continue;
-      seen[edge.from] = 1;
-      const Contour_node& node = m_design.network.nodes[edge.from];
-      if (node.kind == Node_kind::saddle && node.multiplicity == 1)
+    const std::vector<char> is_used = nodes_in_use(m_design.network);
+    for (std::size_t i = 0; i < is_used.size(); ++i) {
+      const Contour_node& node = m_design.network.nodes[i];
+      if (is_used[i] && node.kind == Node_kind::saddle && node.multiplicity == 1)
         m_candidates.push_back({Hint_kind::saddle, 4, m_surface.points[node.vertex], node.vertex});
     }
   }
