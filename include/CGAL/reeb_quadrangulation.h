@@ -38,6 +38,7 @@
 #include <CGAL/Reeb_quadrangulation/Vertex_order.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
+#include <CGAL/Reeb_quadrangulation/constrained_field.h>
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>

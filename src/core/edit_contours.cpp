@@ -16,9 +16,6 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-namespace {
-
-// A field on a chart whose level lines go around it: U of an annulus; from the walk to the extremum of a disc.
 Result<std::vector<double>> level_field(Draft& draft, int c) {
   const Chart& chart = draft.chart(c);
   if (chart.kind == Chart_kind::annulus) {
@@ -43,8 +40,7 @@ Result<std::vector<double>> level_field(Draft& draft, int c) {
   return values;
 }
 
-// The field's values at the two ends of a chart.
-std::array<double, 2> range_of(const Draft& draft, const Chart& chart) {
+std::array<double, 2> value_range(const Draft& draft, const Chart& chart) {
   const auto value = [&](const Walk& walk) { return draft.network.edges[walk.edges[0].edge].value; };
   if (chart.kind == Chart_kind::annulus) return {value(chart.walks[0]), value(chart.walks[1])};
   double pole = chart.walks[0].side == Side::low ? 1 : 0;
@@ -54,8 +50,6 @@ std::array<double, 2> range_of(const Draft& draft, const Chart& chart) {
   return chart.walks[0].side == Side::low ? std::array<double, 2>{around, pole}
                                           : std::array<double, 2>{pole, around};
 }
-
-} // namespace
 
 Result<int> draw_level_line(Draft& draft, int c, int vertex) {
   const Chart& chart = draft.chart(c);
@@ -73,7 +67,7 @@ Result<int> draw_level_line(Draft& draft, int c, int vertex) {
   if (loops.size() != 1)
     return refuse("the level line through the vertex is not one closed loop", {}, Element_kind::vertex,
                   vertex);
-  const std::array<double, 2> range = range_of(draft, chart);
+  const std::array<double, 2> range = value_range(draft, chart);
   Contour_network local = build_network(chart.mesh, order, *field, loops, {}, {});
   local.edges[0].value = range[0] + (*field)[seed] * (range[1] - range[0]);
   Result<std::vector<int>> added = transfer_contours(draft.surface(), chart, local, {0}, draft.network);
@@ -257,6 +251,7 @@ Result<void> move_part(Draft& draft, int e, const Move_contour& edit) {
   if (!path) return path.error();
   path->from = old.from;
   path->to = old.to;
+  if (edit.enforcement == Enforcement::field) return enforce_by_field(draft, e, std::move(*path));
   return replace_edge(draft, e, std::move(*path));
 }
 
@@ -270,6 +265,8 @@ Result<void> apply_edit(Draft& draft, const Move_contour& edit) {
     return refuse("the contour is a boundary of the surface", {}, Element_kind::contour, e);
   if (!edit.anchors.empty() && edit.anchors.size() != 2)
     return make_error(Error_code::impossible_request, "a contour has no anchors, or two");
+  if (edit.enforcement == Enforcement::field && (!edit.anchors.empty() || draft.is_free_loop(e)))
+    return refuse("the field alone moves contours of saddles only", {}, Element_kind::contour, e);
   if (edit.anchors.empty())
     return draft.is_free_loop(e) ? move_free_loop(draft, e, edit) : move_part(draft, e, edit);
   if (sides[0] == sides[1])

@@ -54,6 +54,16 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit);
 Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
                              double strength);
 
+/// A field on a chart whose level lines go around it, from 0 to 1: U of an annulus; between the walk and the extremum of a disc.
+Result<std::vector<double>> level_field(Draft& draft, int chart);
+
+/// The design's field at the two ends of a chart.
+std::array<double, 2> value_range(const Draft& draft, const Chart& chart);
+
+/// Puts a new polyline in the place of a saddle's contour edge `old` and lets the field follow it, on the whole surface: the new contours
+/// are level lines near it.
+Result<void> enforce_by_field(Draft& draft, int old, Contour_edge fresh);
+
 /// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The draft is not cut.
 Result<int> draw_level_line(Draft& draft, int chart, int vertex);
 

@@ -59,6 +59,7 @@ template <class F> void fields(F& f, Move_contour& e) {
   f("plane_point", e.plane_point);
   f("plane_normal", e.plane_normal);
   f.optional("anchors", e.anchors);
+  f.optional("enforcement", e.enforcement);
 }
 template <class F> void fields(F& f, Drag_contour& e) {
   f("at", e.at);
@@ -167,6 +168,7 @@ template <class F> void fields(F& f, Editor_options& o) {
 
 template <class E> struct Names;
 template <> struct Names<Edit_scope> { static constexpr const char* of[] = {"chart", "surface"}; };
+template <> struct Names<Enforcement> { static constexpr const char* of[] = {"contour", "field"}; };
 template <> struct Names<Pole_kind> { static constexpr const char* of[] = {"whole", "half", "quarter"}; };
 template <> struct Names<Saddle_kind> { static constexpr const char* of[] = {"half", "quarter"}; };
 template <> struct Names<Falloff> { static constexpr const char* of[] = {"constant", "linear", "smooth"}; };

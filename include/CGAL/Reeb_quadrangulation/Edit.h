@@ -42,6 +42,12 @@ enum class Saddle_kind : signed char {
   quarter ///< four vertices of valence 5 around a rectangle
 };
 
+/// What makes the field follow a contour that the user has moved.
+enum class Enforcement : signed char {
+  contour, ///< the contour is cut into the surface; the charts beside it are mapped anew (default)
+  field ///< the field is solved again on the whole surface with values around all contours of saddles (paper, section 6.1)
+};
+
 /// \name Extrema
 /// Points of extrema mean the nearest vertex, except those that name an existing extremum: the nearest one.
 /// @{
@@ -88,12 +94,14 @@ struct Change_value {
 
 /// Moves a contour to the intersection of the surface with a plane. A loop at a saddle keeps its saddle: the plane is shifted to go
 /// through it. With two `anchors` on the contour only the part between them that is nearest to `at` moves, in the plane through both
-/// whose normal is nearest to the one given.
+/// whose normal is nearest to the one given. Enforced by the field, the contour of a saddle comes near the plane only, and all charts
+/// are new.
 struct Move_contour {
   Surface_point at;
   Point plane_point = Point::Zero();
   Eigen::Vector3d plane_normal = Eigen::Vector3d(0, 0, 1);
   std::vector<Surface_point> anchors; ///< none or two
+  Enforcement enforcement = Enforcement::contour;
 };
 /// Moves a contour without saddles to the level line through a vertex.
 struct Drag_contour {
