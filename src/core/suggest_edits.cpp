@@ -179,6 +179,15 @@ private:
     return std::nullopt;
   }
 
+  // What an edit leads to, if it applies and costs no texture that the user has made.
+  std::optional<Design> preview(const Edit& edit) const {
+    Result<Design> design = m_editor.preview(edit, m_observer);
+    if (!design) return std::nullopt;
+    for (const auto& chart : m_design.charts)
+      if (chart->edited && design->index_of(chart->id) < 0) return std::nullopt;
+    return std::move(*design);
+  }
+
   static Hint hint(const Candidate& c, Edit edit, double after, std::string reason) {
     return {c.kind, std::move(edit), c.place, std::move(reason), c.before, after};
   }
@@ -190,7 +199,7 @@ private:
     std::optional<Hint> best;
     for (bool is_maximum : {true, false}) {
       const Edit edit = Add_extremum{at(c.element), is_maximum};
-      const Result<Design> design = m_editor.preview(edit, m_observer);
+      const std::optional<Design> design = preview(edit);
       if (!design) continue;
       const double after = distance_to_quads(c.place, charts_not_in(*design, m_design)) / m_h;
       if (!is_nearer(after, c.before) || (best && !(after < best->after))) continue;
@@ -206,7 +215,7 @@ private:
     const Design_chart& chart = *m_design.charts[c.element];
     const Edit edit =
         Align_saddles{at(saddle_on(chart.chart->walks[0])), at(saddle_on(chart.chart->walks[1]))};
-    const Result<Design> design = m_editor.preview(edit, m_observer);
+    const std::optional<Design> design = preview(edit);
     if (!design || design->index_of(chart.id) >= 0) return std::nullopt;
     const double after = mean_aspect(charts_not_in(*design, m_design));
     if (!(after < c.before)) return std::nullopt;
@@ -219,7 +228,7 @@ private:
 
   std::optional<Hint> try_sharp_edge(const Candidate& c) {
     const Edit edit = Snap_contour{{c.place, -1}, m_options.feature_angle};
-    const Result<Design> design = m_editor.preview(edit, m_observer);
+    const std::optional<Design> design = preview(edit);
     if (!design) return std::nullopt;
     const int fresh = int(design->network.edges.size()) - 1;
     const std::vector<Point> old = contour_points(m_surface, m_design.network, c.element);
@@ -245,7 +254,7 @@ private:
     double most = 0;
     for (Saddle_kind kind : {Saddle_kind::half, Saddle_kind::quarter}) {
       const Edit edit = Split_saddle{at(c.element), kind, {}, 0};
-      const Result<Design> design = m_editor.preview(edit, m_observer);
+      const std::optional<Design> design = preview(edit);
       if (!design) continue;
       const std::vector<const Design_chart*> gone = charts_not_in(m_design, *design),
                                              fresh = charts_not_in(*design, m_design);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hints as theorems on small shapes: where one must be, where none may be, that each one keeps its promise, and that taking them ends.
-#include "layout_stages.h"
+#include "editor_sessions.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
-#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
-#include <CGAL/Reeb_quadrangulation/shapes.h>
 
 #include <catch2/catch.hpp>
 
@@ -12,34 +10,14 @@
 
 #include <algorithm>
 
-using namespace CGAL::Reeb_quadrangulation;
+using namespace sessions;
 
 namespace {
 
-Surface_point at(double x, double y, double z) {
-  return {Point(x, y, z), -1};
-}
-
-Edit extrema(const std::vector<Point>& minima, const std::vector<Point>& maxima) {
-  Set_extrema edit;
-  for (const Point& p : minima) edit.extrema.push_back({{p, -1}, false, -1});
-  for (const Point& p : maxima) edit.extrema.push_back({{p, -1}, true, -1});
-  return edit;
-}
-
-Editor session(const std::string& shape, int triangles, const std::vector<Edit>& edits, int quads) {
-  Result<Triangle_surface> surface = make_shape(shape, triangles);
-  REQUIRE(bool(surface));
-  Editor_options options;
-  options.quads = quads;
-  Result<Editor> editor = Editor::create(std::move(*surface), options);
-  REQUIRE(bool(editor));
-  for (const Edit& edit : edits) {
-    const Result<Edit_report> done = editor->apply(edit);
-    INFO((done ? "" : done.error().message));
-    REQUIRE(bool(done));
-  }
-  return std::move(*editor);
+Editor designed(const std::string& name, int triangles, const std::vector<Edit>& edits, int quads) {
+  Editor editor = session(shape(name, triangles), edits[0], quads);
+  for (std::size_t i = 1; i < edits.size(); ++i) REQUIRE(bool(editor.apply(edits[i])));
+  return editor;
 }
 
 std::vector<Hint> hints_of(const Editor& editor, const Hint_options& options = {}) {
@@ -88,7 +66,7 @@ std::vector<Hint> take_all(Editor& editor, const Hint_options& options = {}) {
 }
 
 Editor hand_with_two_extrema() {
-  return session("hand", 6000, {extrema({{0, 0, -1}}, {{0, 0, 2}})}, 1500);
+  return designed("hand", 6000, {extrema({0, 0, -1}, {{0, 0, 2}})}, 1500);
 }
 
 } // namespace
@@ -115,23 +93,23 @@ TEST_CASE("fingers without an extremum are uncovered limbs, and covered ones are
 }
 
 TEST_CASE("shapes that quads cover and nothing is thin on have no hints") {
-  for (const std::string shape : {"sphere", "ellipsoid"}) {
-    INFO(shape);
-    Editor editor = session(shape, 3000, {extrema({{0, 0, -2}}, {{0, 0, 2}})}, 800);
+  for (const std::string name : {"sphere", "ellipsoid"}) {
+    INFO(name);
+    Editor editor = designed(name, 3000, {extrema({0, 0, -2}, {{0, 0, 2}})}, 800);
     CHECK(hints_of(editor).empty());
     CHECK(take_all(editor).empty());
   }
 }
 
 TEST_CASE("an editor without a design has no hints, and asks for nothing") {
-  Editor editor = session("sphere", 1000, {}, 300);
+  const Editor editor = std::move(*Editor::create(shape("sphere", 1000)));
   CHECK(hints_of(editor).empty());
 }
 
 TEST_CASE("saddles of nearly the same value have a thin chart between them, which a hint takes away") {
   // Three maxima around a minimum: the two saddles have values as near as the mesh is regular.
-  Editor editor = session("sphere", 4000,
-                          {extrema({{0, 0, -1}}, {{1, 0, 0.1}, {-0.5, 0.87, 0.1}, {-0.5, -0.87, 0.1}})}, 800);
+  Editor editor = designed("sphere", 4000,
+                           {extrema({0, 0, -1}, {{1, 0, 0.1}, {-0.5, 0.87, 0.1}, {-0.5, -0.87, 0.1}})}, 800);
   const std::vector<Hint> thin = of_kind(hints_of(editor), Hint_kind::thin_chart);
   REQUIRE(thin.size() == 1);
   check_promises(editor, thin);
@@ -149,8 +127,8 @@ TEST_CASE("saddles of nearly the same value have a thin chart between them, whic
 }
 
 TEST_CASE("a contour beside the sharp edges of a cube is snapped to them, and then lies on them") {
-  Editor editor = session(
-      "cube", 3000, {extrema({{0.5, 0.5, 0}}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.95)}}, 600);
+  Editor editor = designed("cube", 3000,
+                          {extrema({0.5, 0.5, 0}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.95)}}, 600);
   std::vector<Hint> snaps = of_kind(hints_of(editor), Hint_kind::sharp_edge);
   REQUIRE(!snaps.empty());
   check_promises(editor, snaps);
@@ -162,20 +140,20 @@ TEST_CASE("a contour beside the sharp edges of a cube is snapped to them, and th
   take_all(editor, only_sharp);
 
   SECTION("but not one in the middle between them") {
-    Editor middle = session(
-        "cube", 3000, {extrema({{0.5, 0.5, 0}}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.5)}}, 600);
+    Editor middle = designed("cube", 3000,
+                            {extrema({0.5, 0.5, 0}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.5)}}, 600);
     for (const Hint& hint : of_kind(hints_of(middle), Hint_kind::sharp_edge))
       CHECK(std::abs(hint.place.z() - 0.5) > 0.3);
   }
   SECTION("nor where no edge is sharp") {
     Editor sphere =
-        session("sphere", 3000, {extrema({{0, 0, -1}}, {{0, 0, 1}}), Subdivide_chart{at(1, 0, 0)}}, 600);
+        designed("sphere", 3000, {extrema({0, 0, -1}, {{0, 0, 1}}), Subdivide_chart{at(1, 0, 0)}}, 600);
     CHECK(of_kind(hints_of(sphere), Hint_kind::sharp_edge).empty());
   }
 }
 
 TEST_CASE("saddles with room around are to be split, once") {
-  Editor editor = session("bitorus", 4000, {extrema({{-1.35, 0, 0}}, {{3.35, 0, 0}})}, 1500);
+  Editor editor = designed("bitorus", 4000, {extrema({-1.35, 0, 0}, {{3.35, 0, 0}})}, 1500);
   const std::vector<Hint> saddles = of_kind(hints_of(editor), Hint_kind::saddle);
   REQUIRE(saddles.size() >= 2);
   check_promises(editor, saddles);
@@ -187,7 +165,7 @@ TEST_CASE("saddles with room around are to be split, once") {
   SECTION("but not where there is none") {
     Hint_options spacious;
     spacious.room = 1000;
-    Editor again = session("bitorus", 4000, {extrema({{-1.35, 0, 0}}, {{3.35, 0, 0}})}, 1500);
+    Editor again = designed("bitorus", 4000, {extrema({-1.35, 0, 0}, {{3.35, 0, 0}})}, 1500);
     CHECK(of_kind(hints_of(again, spacious), Hint_kind::saddle).empty());
   }
 }
@@ -195,12 +173,11 @@ TEST_CASE("saddles with room around are to be split, once") {
 TEST_CASE("the same design has the same hints on one thread and on two") {
   std::vector<std::string> texts;
   for (int threads : {1, 2}) {
-    Result<Triangle_surface> surface = make_shape("hand", 4000);
     Editor_options options;
     options.quads = 1200;
     options.threads = threads;
-    Result<Editor> editor = Editor::create(std::move(*surface), options);
-    REQUIRE(bool(editor->apply(extrema({{0, 0, -1}}, {{0, 0, 2}}))));
+    Result<Editor> editor = Editor::create(shape("hand", 4000), options);
+    REQUIRE(bool(editor->apply(extrema({0, 0, -1}, {{0, 0, 2}}))));
     texts.push_back(to_json(hints_of(*editor)));
   }
   CHECK(texts[0] == texts[1]);
@@ -212,7 +189,7 @@ TEST_CASE("the same design has the same hints on one thread and on two") {
 }
 
 TEST_CASE("options out of range are refused, and a preview changes nothing") {
-  Editor editor = session("bitorus", 3000, {extrema({{-1.35, 0, 0}}, {{3.35, 0, 0}})}, 600);
+  Editor editor = designed("bitorus", 3000, {extrema({-1.35, 0, 0}, {{3.35, 0, 0}})}, 600);
   Hint_options negative;
   negative.thin = -1;
   CHECK(suggest_edits(editor, negative).error().code == Error_code::impossible_request);
@@ -234,6 +211,20 @@ TEST_CASE("options out of range are refused, and a preview changes nothing") {
       editor.preview(Subdivide_chart{{editor.working_surface().points[pole], pole}});
   REQUIRE(!refused);
   CHECK(refused.error().code == Error_code::refused_edit);
+}
+
+TEST_CASE("no hint costs a texture that the user has made") {
+  Editor editor = hand_with_two_extrema();
+  const std::vector<Hint> before = of_kind(hints_of(editor), Hint_kind::uncovered_limb);
+  REQUIRE(!before.empty());
+  const Surface_point tip{before[0].place, -1};
+  const int id = chart_at(editor, tip).id;
+  REQUIRE(bool(editor.apply(Edit_texture{Texture_operator::subdivide, {tip}, 0.5, Edit_scope::chart})));
+  for (const Hint& hint : hints_of(editor)) {
+    REQUIRE(bool(editor.apply(hint.edit)));
+    CHECK(editor.design().index_of(id) >= 0);
+    editor.undo();
+  }
 }
 
 TEST_CASE("hints stop where the observer asks") {

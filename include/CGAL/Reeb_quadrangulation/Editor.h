@@ -50,7 +50,8 @@ public:
   /// Applies an edit; redoable edits are forgotten.
   Result<Edit_report> apply(const Edit& edit, Observer* observer = nullptr);
 
-  /// The design that an edit would lead to; nothing changes. Fails like `apply()` and takes as long.
+  /// The design that an edit would lead to; nothing changes. Fails like `apply()` and takes as long; uses the
+  /// session's solver, so call it from one thread at a time.
   Result<Design> preview(const Edit& edit, Observer* observer = nullptr) const;
 
   bool can_undo() const;

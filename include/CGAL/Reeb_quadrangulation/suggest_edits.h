@@ -46,7 +46,8 @@ struct Hint_options {
 
 /// Proposes edits of a design, with a reason each. An edit is proposed if, tried on the design, it applies and improves the measure of
 /// its kind (a limb's or a contour's distance by half an edge length, or to less than a tenth of it); saddles are split only if the mean scaled Jacobian of
-/// the quads around them grows by a thousandth at least and no chart gets low.
+/// the quads around them grows by a thousandth at least and no chart gets low. No hint costs a texture that the
+/// user has edited.
 ///
 /// The order is that of the kinds, then the worst measure first, then by place. An empty design has no hints. Fails with
 /// `impossible_request` (an option out of range) and `cancelled`. Costs `suggest_extrema()` and a preview for each place in question.
