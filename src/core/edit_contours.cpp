@@ -251,7 +251,11 @@ Result<void> move_part(Draft& draft, int e, const Move_contour& edit) {
   if (!path) return path.error();
   path->from = old.from;
   path->to = old.to;
-  if (edit.enforcement == Enforcement::field) return enforce_by_field(draft, e, std::move(*path));
+  if (edit.enforcement == Enforcement::field) {
+    Draft trial = draft; // what cannot be cut in is no contour for a field to follow
+    if (Result<void> possible = replace_edge(trial, e, *path); !possible) return possible;
+    return enforce_by_field(draft, e, std::move(*path));
+  }
   return replace_edge(draft, e, std::move(*path));
 }
 
