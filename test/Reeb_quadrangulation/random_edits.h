@@ -28,7 +28,7 @@ public:
     case 4: return Move_extremum{extremum(), near(extremum()), Edit_scope::chart};
     case 5: return Change_value{extremum(), m_random.unit()};
     case 6:
-    case 7: return Move_contour{contour(), tilted(), normal(), {}};
+    case 7: return Move_contour{contour(), tilted(), normal(), {}, Enforcement(m_random.below(2))};
     case 8: return Move_contour{contour(), tilted(), normal(), {contour(), contour()}};
     case 9: return Drag_contour{contour(), vertex()};
     case 10: {

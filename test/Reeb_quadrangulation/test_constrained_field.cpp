@@ -164,8 +164,8 @@ TEST_CASE("a saddle's loop moved by the field comes near the plane, cut into the
 }
 
 TEST_CASE("the field alone holds saddles and caps, and nothing else") {
-  Editor editor = session(shape("bitorus", 3000), extrema({-1.35, 0, 0}, {{3.35, 0, 0}}), 600);
-  const Saddle_loop loop = first_loop(editor, {0, 0, 0.1});
+  Editor editor = session(shape("bitorus", 4000), extrema({-1.35, 0, 0}, {{3.35, 0, 0}}), 800);
+  const Saddle_loop loop = first_loop(editor, {0, 0, 0.15});
   Move_contour edit{loop.at, loop.saddle, loop.normal, {}, Enforcement::field};
   const auto cap = [&] {
     for (const Contour_edge& edge : editor.design().network.edges)
@@ -179,6 +179,6 @@ TEST_CASE("the field alone holds saddles and caps, and nothing else") {
   Move_contour part = edit;
   part.anchors = {loop.at, {loop.saddle, -1}};
   refused(editor, part, "the field alone moves contours of saddles only");
-  applied(editor, Subdivide_chart{at(1, 0.4, 0.3)});
+  applied(editor, Subdivide_chart{at(2, 1, 0.3)});
   refused(editor, edit, "the field alone holds no contours but those of saddles and caps");
 }
