@@ -274,6 +274,21 @@ TEST_CASE("work is cancelled within a quarter of a second, and by the edit that 
   worker.push([&](Worker::Observer& observer) { is_fresh.set_value(!observer.cancelled()); }, never);
   CHECK(was_cancelled.get_future().get());
   CHECK(is_fresh.get_future().get());
+
+  // A job that only looks does not cancel what comes before it.
+  std::promise<void> running, looked_for;
+  std::promise<bool> went_on;
+  worker.push(
+      [&](Worker::Observer& observer) {
+        running.set_value();
+        looked_for.get_future().wait();
+        went_on.set_value(!observer.cancelled());
+      },
+      never, true);
+  running.get_future().wait();
+  worker.push([](Worker::Observer&) {}, never, false, false);
+  looked_for.set_value();
+  CHECK(went_on.get_future().get());
 }
 
 TEST_CASE("a job that throws does not end the worker") {

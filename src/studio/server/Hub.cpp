@@ -129,7 +129,7 @@ void Hub::cancel() {
   for (const auto& [number, reply] : owed) reply(make_error(Error_code::cancelled, "cancelled"));
 }
 
-void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool replaceable) {
+void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool replaceable, bool replaces) {
   const std::int64_t number = m_next_owed++;
   m_owed[number] = std::move(reply);
   const auto done = [this, number](const Result<Json>& result) {
@@ -149,7 +149,7 @@ void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool repla
   const auto failed = [this, done](const std::string& what) {
     m_post([done, what] { done(make_error(Error_code::internal_error, "the work failed: " + what)); });
   };
-  if (!m_worker->push(job, failed, replaceable))
+  if (!m_worker->push(job, failed, replaceable, replaces))
     done(make_error(Error_code::impossible_request, "too many requests wait; this one is dropped"));
 }
 
@@ -191,10 +191,10 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
     });
     return Json::object();
   };
-  const auto live = request.body.find("live");
-  const bool replaceable =
-      request.command == Command::preview || (live != request.body.end() && *live == true);
-  enqueue(task, reply, replaceable);
+  const bool replaceable = request.command == Command::preview || is_live(request.body);
+  // Only looking makes nothing out of date.
+  const bool replaces = request.command != Command::chart && request.command != Command::list_files;
+  enqueue(task, reply, replaceable, replaces);
 }
 
 void Hub::open_file(const std::string& name) {

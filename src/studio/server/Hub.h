@@ -42,7 +42,8 @@ public:
 private:
   using Task = std::function<Result<Json>(Session&, Worker::Observer&)>;
   void start(const std::weak_ptr<Client>& client, const Request& request);
-  void enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable = false);
+  void enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable = false,
+               bool replaces = true);
   void cancel();
   void finish();
   /// Tells the pages the session as it is; called by the worker's thread.

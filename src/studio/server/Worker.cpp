@@ -43,12 +43,12 @@ Worker::~Worker() {
   m_thread.join();
 }
 
-bool Worker::push(Job job, Failed failed, bool replaceable) {
+bool Worker::push(Job job, Failed failed, bool replaceable, bool replaces) {
   const std::lock_guard<std::mutex> lock(m_mutex);
   if (m_queue.size() >= longest_queue) return false;
-  if (m_running && m_running->replaceable) m_running->cancelled = true;
+  if (replaces && m_running && m_running->replaceable) m_running->cancelled = true;
   for (const auto& waiting : m_queue)
-    if (waiting->replaceable) waiting->cancelled = true;
+    if (replaces && waiting->replaceable) waiting->cancelled = true;
   auto entry = std::make_shared<Entry>();
   entry->job = std::move(job);
   entry->failed = std::move(failed);

@@ -31,8 +31,8 @@ public:
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// A job that is `replaceable` is cancelled when the next job comes. False if too many jobs wait.
-  bool push(Job job, Failed failed, bool replaceable = false);
+  /// A job that is `replaceable` is cancelled when the next job comes that `replaces`. False if too many jobs wait.
+  bool push(Job job, Failed failed, bool replaceable = false, bool replaces = true);
   /// Asks the running job and all that wait to stop; they still run, and see that they are cancelled.
   void cancel();
 

@@ -21,13 +21,10 @@ Point middle(const Triangle_surface& surface) {
 namespace {
 
 Json json_of(const Edit_report& report) {
-  return {{"new_charts", report.new_charts},
-          {"removed_charts", report.removed_charts},
-          {"remeshed_charts", report.remeshed_charts},
-          {"new_contours", report.new_contours},
-          {"removed_contours", report.removed_contours},
-          {"changed_counts", report.changed_counts},
-          {"seconds", report.seconds}};
+  return {{"new_charts", report.new_charts},           {"removed_charts", report.removed_charts},
+          {"remeshed_charts", report.remeshed_charts}, {"lost_textures", report.lost_textures},
+          {"new_contours", report.new_contours},       {"removed_contours", report.removed_contours},
+          {"changed_counts", report.changed_counts},   {"seconds", report.seconds}};
 }
 
 const char* name_of(Pole_kind kind) {
@@ -37,6 +34,33 @@ const char* name_of(Pole_kind kind) {
   case Pole_kind::quarter: return "quarter";
   }
   return "";
+}
+
+/// Adds points on the surface by which edits name the quads, edges and corners of a texture.
+void add_names(Frame& frame, const Design_chart& chart, const Point& origin) {
+  const Quad_texture& texture = chart.texture.texture;
+  const auto add = [&](const char* name, const std::vector<Texture_place>& places) {
+    std::vector<double> v, u;
+    for (const Texture_place& place : places) {
+      v.push_back(place.v);
+      u.push_back(place.u);
+    }
+    std::vector<Point> points;
+    for (const Chart_location& location : locate(*chart.chart, *chart.map, v, u))
+      points.push_back(position(*chart.chart, location));
+    frame.add_points(name, points, origin);
+  };
+  std::vector<Texture_place> quads, edges, corners;
+  for (int q = 0; q < int(texture.quads.size()); ++q) {
+    quads.push_back(quad_place(texture, q));
+    for (int c = 0; c < 4; ++c) {
+      edges.push_back(edge_place(texture, {q, c}));
+      corners.push_back(vertex_place(texture, {q, c}));
+    }
+  }
+  add("quad_point", quads);
+  add("edge_point", edges);
+  add("corner_point", corners);
 }
 
 Json chart_json(const Design_chart& chart) {
@@ -49,7 +73,8 @@ Json chart_json(const Design_chart& chart) {
           {"set_rows", chart.settings.rows},
           {"shift", chart.settings.shift},
           {"grading", chart.settings.grading},
-          {"locked", chart.settings.locked}};
+          {"locked", chart.settings.locked},
+          {"edited", chart.edited}};
 }
 
 } // namespace
@@ -199,6 +224,10 @@ Result<std::shared_ptr<const std::string>> Workpiece::chart(int id) const {
   frame.add("plane", plane);
   frame.add_points("position", points, m_origin);
   frame.add_indices("quad", texture.quads);
+  std::vector<std::uint8_t> holes;
+  for (int q = 0; q < int(texture.quads.size()); ++q) holes.push_back(texture.is_hole(q));
+  frame.add("hole", holes);
+  add_names(frame, chart, m_origin);
   const bool disc = chart.chart->kind == Chart_kind::disc;
   frame.data = {{"id", id}, {"kind", disc ? "disc" : "annulus"}, {"width", width}, {"height", height}};
   return frame.encode();

@@ -13,6 +13,7 @@ import { ExtremumTool } from "./tools/extremum";
 import { GuidedTool, guides } from "./tools/guided";
 import { PlaneTool } from "./tools/plane";
 import { SelectTool } from "./tools/select";
+import { TextureTool } from "./tools/texture";
 import { ToolBox } from "./tools/tool_box";
 import { ChartView } from "./local/chart_view";
 import { chartPanel } from "./ui/chart_panel";
@@ -67,6 +68,7 @@ export class App {
     overlay.append(this.chartView.panel);
     for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
     for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
+    this.tools.add(new TextureTool(this));
     this.tools.choose("select");
     this.wire(canvasHost, openMesh, help);
     this.connection.open();

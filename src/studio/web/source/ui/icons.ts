@@ -14,6 +14,7 @@ export const icons = {
   subdivide: "M4 6c5 3 11 3 16 0 M4 12c5 3 11 3 16 0 M4 18c5 3 11 3 16 0",
   saddle: "M4 6c4 8 4 8 0 12 M20 6c-4 8-4 8 0 12 M7 12h10",
   pole: "M12 4v16 M4 12h16 M6 6l12 12 M18 6 6 18",
+  texture: "M4 4h16v16H4z M4 10c5-2 11 2 16 0 M4 15h16 M10 4c-2 5 2 11 0 16 M15 4v16",
   align: "M3 12h18 M7 7v10 M17 7v10",
   collapse: "M4 5h16 M4 19h16 M12 7v4 M10 9l2 2 2-2 M12 17v-4 M10 15l2-2 2 2",
   remove: "M5 7h14 M9 7V4h6v3 M7 7l1 13h8l1-13",
