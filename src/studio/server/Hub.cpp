@@ -156,11 +156,16 @@ void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool repla
 // The slow end of an edit: another job of its own, which gives way to the next edit.
 void Hub::finish() {
   if (!m_worker) return;
-  const auto job = [this](Worker::Observer& observer) {
-    if (m_session->finish(observer)) publish_from_worker();
+  const auto trouble = [this](const std::string& sentence) {
+    m_post([this, sentence] { broadcast("", {{"event", "trouble"}, {"message", sentence}}); });
+  };
+  const auto job = [this, trouble](Worker::Observer& observer) {
+    const Result<void> done = m_session->finish(observer);
+    if (done) return publish_from_worker();
+    if (done.error().code != Error_code::cancelled) trouble(done.error().message);
   };
   m_worker->push(
-      job, [](const std::string&) {}, true);
+      job, [trouble](const std::string& what) { trouble("the quads could not be relaxed: " + what); }, true);
 }
 
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {

@@ -165,6 +165,13 @@ Valences valences(const Quad_mesh& mesh) {
   return result;
 }
 
+Frame textures_frame(const Layer_source& source) {
+  Frame frame("textures");
+  frame.add_points("position", source.textures->points, source.origin);
+  frame.add_indices("quad", source.textures->quads);
+  return frame;
+}
+
 Frame quads_frame(const Layer_source& source) {
   const Quad_mesh& mesh = *source.quads;
   Frame frame("quads");
@@ -207,6 +214,7 @@ Layers make_layers(const Layer_source& source) {
     layers["critical"] = critical_frame(source).encode();
     layers["reeb"] = reeb_frame(source).encode();
   }
+  if (source.textures) layers["textures"] = textures_frame(source).encode();
   if (source.quads) layers["quads"] = quads_frame(source).encode();
   return layers;
 }

@@ -35,11 +35,12 @@ struct Layer_source {
   std::vector<CGAL::Reeb_quadrangulation::Design_extremum> extrema;
   std::vector<int> counts; ///< of quads along contour edges, where they are known
 
-  const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr;
+  const CGAL::Reeb_quadrangulation::Quad_mesh* textures = nullptr; ///< the quads as they are on the charts
+  const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr;    ///< the same when they are relaxed
   std::vector<int> chart_of_quad;
 };
 
-/// Makes the layers "surface", "cuts", "field", "charts", "contours", "critical", "reeb" and "quads", as far as there is something to
+/// Makes the layers "surface", "cuts", "field", "charts", "contours", "critical", "reeb", "textures" and "quads", as far as there is something to
 /// show, as src/studio/protocol.md describes them.
 Layers make_layers(const Layer_source& source);
 

@@ -160,10 +160,10 @@ Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t dr
   const bool replaces = drag > 0 && drag == m_drag;
   if (replaces)
     if (Result<void> undone = m_work->undo(); !undone) return undone.error();
-  Result<Json> done = m_work->apply(edit, &observer);
+  Result<Json> done = m_work->apply(edit, &observer, live);
   if (!done) {
-    if (replaces)
-      if (Result<void> redone = m_work->redo(); !redone) return redone.error();
+    // The edit before is back, unless this one was stopped when it had taken its place already.
+    if (replaces && !m_work->redo()) changed(watch.milliseconds(), "stopped dragging");
     return done;
   }
   m_milliseconds.resize(std::size_t(m_work->applied() - 1), 0);

@@ -92,13 +92,13 @@ Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, O
   return std::unique_ptr<Workpiece>(new Workpiece(std::move(*editor)));
 }
 
-Result<Json> Workpiece::apply(const Json& edit, Observer* observer) {
+Result<Json> Workpiece::apply(const Json& edit, Observer* observer, bool live) {
   Result<Edit> parsed = edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
   if (!parsed) return parsed.error();
   Result<Edit_report> report = m_editor.apply(*parsed, observer);
   if (!report) return report.error();
-  if (observer && observer->cancelled()) {
-    // Asked to stop too late for the editor, but the user was told that everything stays as it was.
+  if (!live && observer && observer->cancelled()) {
+    // The user was told that everything stays as it was.
     m_editor.undo();
     m_previewed = true;
     return make_error(Error_code::cancelled, "cancelled");
@@ -143,6 +143,7 @@ void Workpiece::stitch() {
     m_quads.reset();
   else
     m_quads = m_editor.quads();
+  m_stitched = m_quads ? m_quads->mesh : Quad_mesh();
 }
 
 Result<void> Workpiece::finish(Observer* observer) {
@@ -180,6 +181,7 @@ Layers Workpiece::layers() const {
   source.extrema = design.extrema;
   source.counts = design.samples.counts;
   if (m_quads) {
+    source.textures = &m_stitched;
     source.quads = &m_quads->mesh;
     source.chart_of_quad = m_quads->chart_of_quad;
   }

@@ -25,8 +25,8 @@ public:
   /// \name Edits
   /// One that fails leaves everything as it was. Afterwards the quads are as they are stitched, until `finish()`.
   /// @{
-  /// Returns what changed.
-  Result<Json> apply(const Json& edit, Observer* observer);
+  /// Returns what changed. If it is asked to stop too late, it is taken back, unless it is `live`: another takes its place anyway.
+  Result<Json> apply(const Json& edit, Observer* observer, bool live = false);
   /// What the edit would change. Not possible while there is something to redo, which it would make impossible.
   Result<Json> preview(const Json& edit, Observer* observer);
   Result<void> undo();
@@ -59,6 +59,7 @@ private:
   CGAL::Reeb_quadrangulation::Point m_origin;
   Layers m_surface; ///< the layer of the surface, which no edit changes
   std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
+  CGAL::Reeb_quadrangulation::Quad_mesh m_stitched; ///< the quads before they were finished
   bool m_finished = false;
   bool m_previewed = false; ///< the last edit, which could be redone, was taken back for good
 };

@@ -19,7 +19,9 @@ import { stateOf, type Facts } from "./facts";
 import { certificatePanel, designPanel, editsPanel, stagesPanel, statisticsPanel, valencesPanel } from "./panels";
 import reportCss from "./report.css?inline";
 
-const onSurface: LayerId[] = ["surface", "field", "isolines", "charts"];
+const onSurface: LayerId[] = ["surface", "field", "isolines", "charts", "textures"];
+/** What must be in the file for a layer to be shown, where that has another name. */
+const needs: Partial<Record<LayerId, string>> = { isolines: "field", valences: "quads", quality: "quads", xray: "quads" };
 
 class Report {
   readonly store = new Store();
@@ -52,7 +54,7 @@ class Report {
       this.layers.add(element.dataset.layer!);
     }
     // In the order in which layers refer to each other.
-    for (const layer of ["surface", "cuts", "field", "charts", "contours", "critical", "reeb", "quads"])
+    for (const layer of ["surface", "cuts", "field", "charts", "contours", "critical", "reeb", "textures", "quads"])
       for (const element of document.querySelectorAll<HTMLScriptElement>(`script[data-layer="${layer}"]`)) {
         const text = atob(element.textContent!);
         const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
@@ -63,6 +65,9 @@ class Report {
 
   private get hasSurface(): boolean {
     return this.layers.has("surface");
+  }
+  private has(layer: LayerId): boolean {
+    return this.layers.has(needs[layer] ?? layer) && (this.hasSurface || !onSurface.includes(layer));
   }
 
   private show(): void {
@@ -94,7 +99,7 @@ class Report {
 
   private shortcuts(): Shortcut[] {
     const layers = layerList
-      .filter((layer) => this.hasSurface || !onSurface.includes(layer.id))
+      .filter((layer) => this.has(layer.id))
       .map((layer) => ({ keys: layer.key, about: layer.name.toLowerCase(), group: "Layers", run: () => this.store.set("layers", switched(this.store.get("layers"), layer.id)) }));
     return [{ keys: "h", about: "see everything", group: "Camera", run: () => this.fit(true) }, ...layers];
   }
@@ -114,7 +119,7 @@ class Report {
     );
     const side = h("aside", { className: "side" });
     const panels = [
-      panel("Layers", layersPanel(store, (id) => this.hasSurface || !onSurface.includes(id)), true), panel("Quality", qualityPanel(store, (bin) => this.lightQuads(bin)), true), certificate,
+      panel("Layers", layersPanel(store, (id) => this.has(id)), true), panel("Quality", qualityPanel(store, (bin) => this.lightQuads(bin)), true), certificate,
       panel("Statistics", statisticsPanel(facts), true), panel("Valences", valencesPanel(facts)), panel("Design", designPanel(facts)),
       panel("Stages", stagesPanel(facts)), panel("Edits", editsPanel(facts)),
     ];

@@ -2,7 +2,7 @@
 // The layers that can be shown, their keys, and the views that turn on a sensible choice of them.
 
 export type LayerId =
-  | "surface" | "field" | "isolines" | "charts" | "contours" | "critical" | "reeb" | "quads" | "valences" | "quality" | "xray";
+  | "surface" | "field" | "isolines" | "charts" | "contours" | "critical" | "reeb" | "textures" | "quads" | "valences" | "quality" | "xray";
 
 export interface LayerInfo {
   id: LayerId;
@@ -19,6 +19,7 @@ export const layerList: readonly LayerInfo[] = [
   { id: "contours", name: "Contours", key: "5", about: "The curves along which the surface is cut into charts" },
   { id: "critical", name: "Critical points", key: "6", about: "Minima, saddles and maxima of the field" },
   { id: "reeb", name: "Reeb graph", key: "7", about: "One line for each chart, joined where the charts meet" },
+  { id: "textures", name: "Textures", key: "t", about: "The grids that fill the charts, before the quads are relaxed" },
   { id: "quads", name: "Quads", key: "8", about: "The quad mesh" },
   { id: "valences", name: "Extraordinary vertices", key: "9", about: "Where not four edges meet; the sign has as many corners as edges" },
   { id: "quality", name: "Quality", key: "0", about: "Green quads are rectangles, red ones are skewed or folded" },
@@ -47,7 +48,7 @@ export function switched(shown: ReadonlySet<LayerId>, layer: LayerId): Set<Layer
   if (next.delete(layer)) return next;
   next.add(layer);
   for (const group of rivals) if (group.includes(layer)) for (const other of group) if (other !== layer) next.delete(other);
-  if (layer === "field" || layer === "charts" || layer === "isolines") return next.add("surface") && without(next, "quads");
+  if (layer === "field" || layer === "charts" || layer === "isolines" || layer === "textures") return next.add("surface") && without(next, "quads");
   if (layer === "quality") return next.add("quads") && without(next, "surface");
   return next;
 }

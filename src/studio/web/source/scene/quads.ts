@@ -46,7 +46,7 @@ export class Quads {
     this.quality = floats(frame, "quality") as Float32Array<ArrayBuffer>;
     this.charts = integers(frame, "chart") as Int32Array<ArrayBuffer>;
     this.makeFaces();
-    this.makeEdges();
+    this.edges.set(edgePairs(this.positions, this.corners));
     this.makeMarkers(indices(frame, "irregular_vertex"), bytesOf(frame, "irregular_valence"), bytesOf(frame, "irregular_on_boundary"));
     this.paint();
   }
@@ -96,20 +96,6 @@ export class Quads {
     this.faces.geometry = geometry;
   }
 
-  private makeEdges(): void {
-    const points = this.positions.length / 3;
-    const seen = new Set<number>(), pairs: number[] = [];
-    for (let q = 0; q < this.corners.length; q += 4)
-      for (let i = 0; i < 4; ++i) {
-        const a = this.corners[q + i]!, b = this.corners[q + ((i + 1) % 4)]!;
-        const key = Math.min(a, b) * points + Math.max(a, b);
-        if (seen.has(key)) continue;
-        seen.add(key);
-        for (const v of [a, b]) for (let k = 0; k < 3; ++k) pairs.push(this.positions[3 * v + k]!);
-      }
-    this.edges.set(new Float32Array(pairs));
-  }
-
   private makeMarkers(vertices: Uint32Array, valences: Uint8Array, onBoundary: Uint8Array): void {
     if (this.irregular) {
       this.group.remove(this.irregular);
@@ -144,4 +130,19 @@ export class Quads {
     if (this.colour === "charts") return chartColour(this.charts[q] ?? -1);
     return this.plain;
   }
+}
+
+/** The ends of the quads' edges, each edge once. */
+export function edgePairs(positions: Float32Array, corners: Uint32Array): Float32Array {
+  const points = positions.length / 3;
+  const seen = new Set<number>(), pairs: number[] = [];
+  for (let q = 0; q < corners.length; q += 4)
+    for (let i = 0; i < 4; ++i) {
+      const a = corners[q + i]!, b = corners[q + ((i + 1) % 4)]!;
+      const key = Math.min(a, b) * points + Math.max(a, b);
+      if (seen.has(key)) continue;
+      seen.add(key);
+      for (const v of [a, b]) for (let k = 0; k < 3; ++k) pairs.push(positions[3 * v + k]!);
+    }
+  return new Float32Array(pairs);
 }

@@ -6,7 +6,7 @@ import { criticalColours } from "./colours";
 import type { LayerId } from "./layers";
 import { Lines, markers, polylinePairs } from "./lines";
 import { markerMaterial, Shape, SurfaceColour } from "./materials";
-import { Quads } from "./quads";
+import { edgePairs, Quads } from "./quads";
 import { Surface } from "./surface";
 import type { Viewport } from "./viewport";
 
@@ -31,6 +31,7 @@ export class Stage {
   readonly surface = new Surface();
   readonly quads = new Quads();
   readonly contourLines = new Lines(contourWidth, 0x16181d);
+  readonly textureLines = new Lines(1.4, 0x16181d, { opacity: 0.85 });
   readonly chosenContour = new Lines(5, 0xffb454, { hidden: true });
   readonly reebLines = new Lines(4.5, 0x2f7de0, { hidden: true });
   critical: CriticalPoint[] = [];
@@ -48,12 +49,13 @@ export class Stage {
     this.nodeMaterial.uniforms.size!.value = 13;
     this.nodeMaterial.uniforms.ratio!.value = ratio;
     this.nodeMaterial.depthTest = false;
+    this.textureLines.object.renderOrder = 1;
     this.contourLines.object.renderOrder = 2;
     this.reebLines.object.renderOrder = 7;
     this.chosenContour.object.renderOrder = 6;
     viewport.onRender.push(() => this.surface.update());
     viewport.scene.add(
-      this.surface.group, this.quads.group, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 
@@ -66,6 +68,7 @@ export class Stage {
     else if (frame.layer === "contours") this.setContours(frame);
     else if (frame.layer === "critical") this.setCritical(frame);
     else if (frame.layer === "reeb") this.setReeb(frame);
+    else if (frame.layer === "textures") this.textureLines.set(edgePairs(floats(frame, "position"), indices(frame, "quad")));
     else if (frame.layer === "quads") this.quads.set(frame);
     this.show(this.shown);
   }
@@ -73,6 +76,7 @@ export class Stage {
   remove(layer: string): void {
     if (layer === "cuts") this.surface.clearDesign();
     if (layer === "quads") this.quads.clear();
+    if (layer === "textures") this.textureLines.set(new Float32Array());
     if (layer === "contours") this.clearContours();
     if (layer === "critical") this.removePoints("criticalPoints");
     if (layer === "reeb") {
@@ -98,6 +102,8 @@ export class Stage {
     // Dark on the surface; where one looks through it, in contrast to the ground.
     const isDark = document.documentElement.dataset.theme === "dark";
     this.contourLines.material.color.setHex(seeThrough && isDark ? 0xd5dde8 : 0x16181d);
+    this.textureLines.show(on("textures"));
+    this.textureLines.setXray(seeThrough);
     this.reebLines.show(on("reeb"));
     if (this.criticalPoints) this.criticalPoints.visible = on("critical");
     this.criticalMaterial.depthTest = !seeThrough;

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user does on the whole surface: drops a file, flies to what is odd, adds and moves extrema, turns the plane by its rings,
+// splits a saddle in four, stops a long work; and what can be done without a mouse.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import test, { after, before } from "node:test";
+import { Studio } from "./harness.mjs";
+
+let studio;
+before(async () => (studio = await Studio.start()));
+after(() => studio.close());
+
+const critical = (kind) =>
+  studio.page.evaluate((k) => window.studio.stage.critical.filter((c) => c.kind === k).map((c) => c.position.toArray()), kind);
+const edits = async () => (await studio.state()).history.map((step) => step.edit);
+
+/** Moves the pointer in circles until the plane's rings or arrows take it; where that was. */
+async function findGizmo() {
+  const middle = await studio.page.evaluate(() => {
+    const { tools, viewport } = window.studio;
+    return viewport.project(tools.current.plane.position);
+  });
+  for (let radius = 30; radius < 140; radius += 4)
+    for (let turn = 0; turn < 2 * Math.PI; turn += 0.35) {
+      const [x, y] = [middle.x + radius * Math.cos(turn), middle.y + radius * Math.sin(turn)];
+      await studio.page.mouse.move(x, y);
+      const axis = await studio.page.evaluate(() => window.studio.tools.current.gizmo.axis);
+      if (axis && axis.length === 1 && axis !== "Z") return { x, y, middle };
+    }
+  throw new Error("the plane has no ring under the pointer");
+}
+
+test("a file is dropped onto the page", async () => {
+  const text = studio.read(studio.shape("sphere", 3000));
+  const state = await studio.after(() =>
+    studio.page.evaluate((content) => {
+      const data = new DataTransfer();
+      data.items.add(new File([content], "dropped.off"));
+      document.querySelector(".canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, text),
+  );
+  assert.equal(state.file.name, "dropped.off");
+});
+
+test("the line below tells how many extraordinary vertices there must be", async () => {
+  await studio.suggest();
+  assert.match(await studio.page.innerText(".budget"), /index 8 of 8/);
+  assert.match(await studio.page.getAttribute(".budget", "title"), /4χ = 8/);
+});
+
+test("an extremum is added by a click, moved live by a drag, and deleted by a key", async () => {
+  await studio.tool("extremum");
+  const before = (await studio.state()).facts.extrema.length;
+  const side = await studio.page.evaluate(() => {
+    const { surface } = window.studio.stage;
+    let best = 0;
+    for (let v = 0; v < surface.positions.length / 3; ++v) if (surface.vertex(v).x > surface.vertex(best).x) best = v;
+    return surface.vertex(best).toArray();
+  });
+  const added = await studio.after(() => studio.clickOn(side));
+  assert.equal(added.facts.extrema.length, before + 1);
+  assert.equal(added.certificate.passed, true);
+  const [maximum] = (await critical(2)).sort((a, b) => b[0] - a[0]);
+  await studio.face(maximum);
+  const at = await studio.screen(maximum);
+  const steps = (await edits()).length;
+  await studio.after(async () => {
+    await studio.page.mouse.move(at.x, at.y);
+    await studio.page.mouse.down();
+    for (let i = 1; i <= 5; ++i) {
+      await studio.page.mouse.move(at.x + 8 * i, at.y + 5 * i);
+      await studio.page.waitForTimeout(60);
+    }
+    await studio.page.mouse.up();
+  });
+  await studio.page.waitForFunction(() => !window.studio.store.get("busy"));
+  assert.equal((await edits()).length, steps + 1);
+  assert.equal((await edits()).at(-1).edit, "move_extremum");
+  const [moved] = (await critical(2)).sort((a, b) => b[0] - a[0]);
+  assert.ok(Math.hypot(...moved.map((x, i) => x - maximum[i])) > 0.05);
+  await studio.picture("extremum_moved");
+  await studio.clickOn(moved);
+  assert.match(await studio.page.innerText(".hint-line"), /Delete/);
+  const removed = await studio.after(() => studio.page.keyboard.press("Delete"));
+  assert.equal(removed.facts.extrema.length, before);
+});
+
+test("the plane is turned by its rings with the mouse", async () => {
+  await studio.upload(studio.shape("torus", 3000));
+  await studio.suggest();
+  await studio.view("atlas");
+  await studio.tool("subdivide");
+  await studio.after(async () => studio.clickOn(await studio.insideTallestTube()));
+  await studio.tool("plane");
+  const contour = await studio.page.evaluate(() => {
+    const c = window.studio.stage.contours.filter((c) => c.kind === "regular").sort((a, b) => b.points.length - a.points.length)[0];
+    return c.points[c.points.length >> 1].toArray();
+  });
+  await studio.clickOn(contour, 4);
+  await studio.page.waitForSelector("#apply-plane:not([disabled])");
+  const { x, y, middle } = await findGizmo();
+  const before = await studio.page.evaluate(() => window.studio.tools.current.plane.quaternion.toArray());
+  await studio.page.mouse.down();
+  // Along the ring, a little.
+  const [rx, ry] = [x - middle.x, y - middle.y];
+  for (let i = 1; i <= 4; ++i) await studio.page.mouse.move(x - 0.03 * i * ry, y + 0.03 * i * rx);
+  await studio.picture("plane_ring");
+  await studio.page.mouse.up();
+  const after = await studio.page.evaluate(() => window.studio.tools.current.plane.quaternion.toArray());
+  assert.notDeepEqual(after, before);
+  const state = await studio.after(() => studio.page.keyboard.press("Enter"));
+  assert.equal((await edits()).at(-1).edit, "move_contour");
+  assert.equal(state.certificate.passed, true);
+});
+
+test("a saddle becomes four vertices of valence 5", async () => {
+  await studio.tool("saddle", "Quarters");
+  const [saddle] = await critical(1);
+  const state = await studio.after(() => studio.clickOn(saddle, 0.5));
+  assert.equal(state.budget.interior["5"], 4);
+  await studio.view("quads");
+  await studio.lookAt(saddle, await studio.normalAt(saddle), 1.2);
+  await studio.picture("quarter_saddles");
+});
+
+test("a picture is saved", async () => {
+  const png = await studio.download(() => studio.page.click("#screenshot"));
+  assert.equal(png.subarray(1, 4).toString(), "PNG");
+  assert.ok(png.length > 20000);
+});
+
+test("what is odd about a file is listed, and a click flies there", async () => {
+  const rows = studio.read(studio.shape("sphere", 1000)).trim().split("\n").filter((l) => !l.startsWith("#"));
+  const [points, faces] = rows[1].split(/\s+/).map(Number);
+  const first = rows[2 + points].split(/\s+/);
+  rows[2 + points] = [first[0], first[2], first[1], first[3]].join(" "); // one face turned over
+  writeFileSync(studio.path("turned.off"), ["OFF", `${points} ${faces} 0`, ...rows.slice(2)].join("\n") + "\n");
+  const state = await studio.upload(studio.path("turned.off"));
+  assert.ok(state.file.defects.length > 0);
+  await studio.page.evaluate(() => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+  const before = await studio.page.evaluate(() => window.studio.viewport.controls.target.toArray());
+  await studio.page.locator(".finding").first().click();
+  await studio.page.waitForTimeout(500);
+  const target = await studio.page.evaluate(() => window.studio.viewport.controls.target.toArray());
+  assert.ok(Math.hypot(...target.map((x, i) => x - before[i])) > 0.1);
+  assert.ok(Math.hypot(...target.map((x, i) => x - state.file.defects[0].where[i])) < 1e-3);
+  await studio.picture("defect");
+});
+
+test("a long work is stopped by Cancel, and everything is as it was", async () => {
+  await studio.upload(studio.shape("hand", 150000));
+  const before = await studio.state();
+  await studio.page.click("#suggest");
+  await studio.page.waitForSelector(".progress:not([hidden])");
+  const begin = Date.now();
+  await studio.page.click(".progress button");
+  await studio.page.waitForSelector(".toast:has-text('Stopped')");
+  const told = Date.now() - begin;
+  await studio.page.waitForFunction(() => !window.studio.store.get("busy"), null, { timeout: 60000 });
+  assert.ok(told < 2000, `${told} ms`); // with the browser's own time; the program answers at once
+  assert.equal((await studio.state()).revision, before.revision);
+});
+
+test("panels and tools are reached by the Tab key", async () => {
+  await studio.page.focus("#open");
+  const reached = new Set();
+  for (let i = 0; i < 80; ++i) {
+    await studio.page.keyboard.press("Tab");
+    reached.add(await studio.page.evaluate(() => document.activeElement.closest(".top, .rail, .side, .status")?.className ?? ""));
+    const tag = await studio.page.evaluate(() => document.activeElement.id);
+    if (tag === "suggest") break;
+  }
+  assert.ok(reached.has("rail") && reached.has("side"));
+  await studio.after(() => studio.page.keyboard.press("Enter"));
+  assert.equal((await edits()).at(-1).edit, "suggest");
+});
+
+test("the page reported no errors", () => assert.deepEqual(studio.errors, []));
