@@ -17,7 +17,8 @@ using namespace CGAL::Reeb_quadrangulation;
 using Json = nlohmann::ordered_json;
 
 Design_output::Design_output(const Editor& editor, const Stitched_mesh& quads)
-    : m_editor(editor), m_quads(quads), m_certificate(certify({quads.mesh, &editor.input(), quads.valences})),
+    : m_editor(editor), m_quads(quads),
+      m_certificate(certify({quads.mesh, &editor.input(), quads.valences, quads.components})),
       m_statistics(quad_statistics(quads.mesh, &editor.input())) {}
 
 std::string Design_output::text() const {

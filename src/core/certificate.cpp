@@ -45,6 +45,9 @@ public:
       : m_mesh(input.quads), m_predicted(input.predicted_valences), m_options(options),
         m_topology(analyse(input.quads.quads, int(input.quads.points.size()), Fans::unknown)) {
     if (input.input) m_input.emplace(read_input(*input.input));
+    m_expected = input.predicted_components;
+    if (m_expected.empty() && m_input) m_expected = kinds(m_input->topology);
+    std::sort(m_expected.begin(), m_expected.end());
   }
 
   Certificate run() {
@@ -134,22 +137,31 @@ private:
         [&] { return "the two quads of " + edge(turned) + " run along it in the same direction"; });
   }
 
+  // The Euler characteristic and boundary loops of each component, in order.
+  static std::vector<std::pair<int, int>> kinds(const Soup_topology& topology) {
+    std::vector<std::pair<int, int>> result;
+    for (const Component_counts& c : topology.components)
+      result.emplace_back(c.euler_characteristic(), c.boundary_loops);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   void check_against_input() {
-    const int loops = m_topology.boundary_loops(),
-              expected_loops = m_input ? m_input->topology.boundary_loops() : 0;
+    const int loops = m_topology.boundary_loops();
+    int expected_loops = 0;
+    for (const auto& component : m_expected) expected_loops += component.second;
     const auto first = std::find(m_topology.on_boundary.begin(), m_topology.on_boundary.end(), 1);
     const int v = first == m_topology.on_boundary.end() ? -1 : int(first - m_topology.on_boundary.begin());
     add("watertight", loops, expected_loops, Element_kind::vertex, v, [&] {
       return "boundary loops: " + text(loops) + ", expected: " + text(expected_loops) +
              (v >= 0 ? "; one is at " + vertex(v) : "");
     });
-    if (!m_input) {
+    if (m_expected.empty()) {
       skip("components", "no input to compare with", double(m_topology.components.size()));
       skip("euler_characteristic", "no input to compare with", m_topology.euler_characteristic());
       return;
     }
-    const double found = double(m_topology.components.size()),
-                 wanted = double(m_input->topology.components.size());
+    const double found = double(m_topology.components.size()), wanted = double(m_expected.size());
     add("components", found, wanted, Element_kind::none, -1, [&] {
       return "components: " + text(std::int64_t(found)) + ", expected: " + text(std::int64_t(wanted));
     });
@@ -158,19 +170,14 @@ private:
 
   // Equal sums are not enough: a sphere and a double torus have that of two tori.
   void check_euler_characteristic() {
-    const auto kinds = [](const Soup_topology& topology) {
-      std::vector<std::pair<int, int>> result;
-      for (const Component_counts& c : topology.components)
-        result.emplace_back(c.euler_characteristic(), c.boundary_loops);
-      std::sort(result.begin(), result.end());
-      return result;
-    };
-    const auto mine = kinds(m_topology), theirs = kinds(m_input->topology);
-    const int chi = m_topology.euler_characteristic(), expected = m_input->topology.euler_characteristic();
+    const auto mine = kinds(m_topology);
+    const int chi = m_topology.euler_characteristic();
+    int expected = 0;
+    for (const auto& component : m_expected) expected += component.first;
     add("euler_characteristic", chi, expected, Element_kind::none, -1,
         [&] { return "the Euler characteristic is " + text(chi) + ", not " + text(expected); });
-    if (chi != expected || mine == theirs) return;
-    const auto a = std::mismatch(mine.begin(), mine.end(), theirs.begin(), theirs.end()).first;
+    if (chi != expected || mine == m_expected) return;
+    const auto a = std::mismatch(mine.begin(), mine.end(), m_expected.begin(), m_expected.end()).first;
     Certificate_check& check = m_result.checks.back();
     check.status = Check_status::failed;
     check.message = a == mine.end() ? "a component is missing"
@@ -313,6 +320,7 @@ private:
   const Certificate_options& m_options;
   Soup_topology m_topology;
   std::optional<Input_surface> m_input;
+  std::vector<std::pair<int, int>> m_expected; ///< Euler characteristic and boundary loops of each component
   Certificate m_result;
 };
 

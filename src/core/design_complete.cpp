@@ -50,6 +50,12 @@ private:
       const Design_chart* old = old_chart(c);
       m_ids[c] = old ? old->id : m_design.next_chart++;
       if (old) m_settings[c] = m_draft.settings.at(old->id);
+      m_predecessors.push_back(old ? nullptr : predecessor(m_draft, c));
+      if (!m_predecessors.back()) continue;
+      for (const Walk& walk : m_draft.chart(c).walks)
+        for (const Walk_edge& e : walk.edges)
+          if (const auto replaced = m_draft.replaced.find(e.edge); replaced != m_draft.replaced.end())
+            m_kept_counts[e.edge] = m_before.samples.counts[replaced->second];
     }
   }
 
@@ -138,7 +144,10 @@ private:
       options.previous_edge_length = m_draft.edge_length;
       for (int e : layout.edges) {
         const bool known = e < int(m_before.samples.counts.size());
-        options.previous_counts.push_back(known ? m_before.samples.counts[e] : 0);
+        const auto replaced = m_kept_counts.find(e);
+        options.previous_counts.push_back(known                             ? m_before.samples.counts[e]
+                                          : replaced != m_kept_counts.end() ? replaced->second
+                                                                            : 0);
       }
       for (int c = 0; c < number_of_charts(); ++c)
         options.previous_rows.push_back(old_chart(c) ? old_chart(c)->grid[1] : 0);
@@ -200,6 +209,10 @@ private:
     made->grid = m_grid[c];
     made->height = m_heights[c];
     made->settings = m_settings[c];
+    if (m_predecessors[c] && inherit_texture(m_draft, *m_predecessors[c], m_design.samples, map(c), *made)) {
+      m_design.charts[c] = std::move(made);
+      return {};
+    }
     Chart_parameterization solved = map(c);
     Texture_placement placement = m_settings[c].placement();
     std::array<int, 2> grid = m_grid[c];
@@ -229,6 +242,8 @@ private:
   std::vector<Chart_settings> m_settings;
   std::vector<double> m_heights;
   std::vector<std::array<int, 2>> m_grid;
+  std::vector<const Design_chart*> m_predecessors; ///< per chart, whose edited texture it takes over, or null
+  std::map<int, int> m_kept_counts;                ///< of contour edges that took the place of others
 };
 
 } // namespace

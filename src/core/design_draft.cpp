@@ -123,6 +123,8 @@ void Draft::take(Draft&& other) {
   target_quads = other.target_quads;
   edge_length = other.edge_length;
   resample = other.resample;
+  reset_textures = std::move(other.reset_textures);
+  replaced = std::move(other.replaced);
   m_atlas = std::move(other.m_atlas);
   m_was_cut = std::move(other.m_was_cut);
   m_maps = std::move(other.m_maps);

@@ -66,6 +66,7 @@ public:
   double edge_length = 0;
   bool resample = false;        ///< choose all counts anew for the target, not near the old ones
   std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
+  std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
 
   /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
   Result<void> cut();
@@ -123,6 +124,13 @@ private:
 };
 
 bool has_edited_texture(const Design& design);
+
+/// The chart before whose contours chart `c` has, but for those that were replaced, and which has an edited texture; or null.
+const Design_chart* predecessor(const Draft& draft, int c);
+
+/// Gives a new chart the texture of its predecessor, in the same places of the domain and of the contours. `map` is prepared.
+Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const Contour_samples& samples,
+                             Chart_parameterization map, Design_chart& made);
 
 /// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads of locked charts are not split.
 Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surface_projector& projector,

@@ -160,6 +160,7 @@ Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh) {
   remove_edge(draft.network, old);
   draft.network.edges.push_back(fresh);
   const int edge = int(draft.network.edges.size()) - 1;
+  draft.replaced[edge] = draft.replaced.count(old) ? draft.replaced[old] : old;
   for (Design_extremum& e : draft.extrema)
     if (e.segment == old) e.segment = edge;
   const auto agrees = [&] {

@@ -103,6 +103,7 @@ public:
       if (!m_changed[c]) continue;
       auto made = std::make_shared<Design_chart>(chart(c));
       made->texture = std::move(*m_changed[c]);
+      if (!made->edited) made->texture_id = made->id;
       made->edited = true;
       design.charts[c] = std::move(made);
     }

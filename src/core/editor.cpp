@@ -49,7 +49,9 @@ Edit_report differences(const Design& from, const Design& to) {
   for (const auto& [id, chart] : before) {
     if (after.count(id)) continue;
     report.removed_charts.push_back(id);
-    if (chart->edited) report.lost_textures.push_back(id);
+    const int texture = chart->texture_id;
+    const auto has_it = [&](const auto& entry) { return entry.second->texture_id == texture; };
+    if (chart->edited && std::none_of(after.begin(), after.end(), has_it)) report.lost_textures.push_back(id);
   }
   const auto lives = [](const Design& d, std::size_t e) {
     return e < d.network.edges.size() && !d.network.is_removed(d.network.edges[e]);
@@ -232,7 +234,7 @@ Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, co
   Stitched_mesh stitched = quads();
   if (stitched.mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
   Result<Finished_quads> finished =
-      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer);
+      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer, stitched.hole_vertices);
   if (!finished) return finished.error();
   stitched.mesh = std::move(finished->mesh);
   return stitched;

@@ -466,21 +466,27 @@ private:
 
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation, const Snap_options& features,
-                                    Observer* observer) {
+                                    Observer* observer, const std::vector<int>& held) {
   Finished_quads result;
   result.mesh = std::move(mesh);
   const Surface_projector projector(input);
+  const auto hold = [&](std::vector<char>& fixed) {
+    fixed.resize(result.mesh.points.size(), 0);
+    for (int v : held) fixed[std::size_t(v)] = 1;
+  };
   std::vector<char> designed; // vertices that the design has put onto features already: they stay there
   if (features.feature_angle > 0) {
     Snap_options near = features;
     near.reach = std::min(features.reach, 0.01);
     snap_to_features(result.mesh, input, near, designed);
   }
+  hold(designed);
   Result<Relax_report> report = relax_quads(result.mesh, input, projector, designed, relaxation, observer);
   if (!report) return report.error();
   if (features.feature_angle > 0) {
     std::vector<char> fixed;
     result.features = snap_to_features(result.mesh, input, features, fixed);
+    hold(fixed);
     if (result.features.corners + result.features.vertices > 0) {
       const Relax_report before = *report;
       report = relax_quads(result.mesh, input, projector, fixed, relaxation, observer);

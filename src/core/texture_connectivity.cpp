@@ -26,6 +26,39 @@ int connect_quads(const std::vector<Quad>& quads, int number_of_vertices, std::v
   return -1;
 }
 
+std::vector<std::pair<int, int>> quad_components(const std::vector<Quad>& quads, int number_of_vertices) {
+  std::vector<int> opposite, component(quads.size(), -1);
+  connect_quads(quads, number_of_vertices, opposite);
+  std::vector<std::pair<int, int>> result;
+  for (int q = 0; q < int(quads.size()); ++q) {
+    if (component[q] >= 0) continue;
+    component[q] = int(result.size());
+    std::vector<int> reached{q};
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (int h = 4 * reached[i]; h < 4 * reached[i] + 4; ++h)
+        if (opposite[h] >= 0 && component[quad_of(opposite[h])] < 0) {
+          component[quad_of(opposite[h])] = int(result.size());
+          reached.push_back(quad_of(opposite[h]));
+        }
+    result.emplace_back(0, 0);
+  }
+  std::vector<char> counted(std::size_t(number_of_vertices), 0), passed(opposite.size(), 0);
+  for (int h = 0; h < int(opposite.size()); ++h) {
+    auto& [euler, loops] = result[component[quad_of(h)]];
+    euler += (h & 3) == 0;                            // a quad
+    euler -= opposite[h] < h;                         // an edge
+    euler += !counted[std::size_t(source(quads, h))]; // a vertex
+    counted[std::size_t(source(quads, h))] = 1;
+    if (opposite[h] >= 0 || passed[h]) continue;
+    ++loops;
+    for (int b = h; !passed[b];) {
+      passed[b] = 1;
+      for (b = next(b); opposite[b] >= 0;) b = next(opposite[b]);
+    }
+  }
+  return result;
+}
+
 } // namespace internal
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -249,10 +249,11 @@ private:
   Result<void> leave_out_holes() {
     std::vector<Quad> quads;
     std::vector<int> chart, number(m_out.mesh.points.size(), -1);
+    std::vector<char> at_hole(m_out.mesh.points.size(), 0);
     for (std::size_t f = 0; f < m_hole.size(); ++f) {
       for (int v : m_out.mesh.quads[f])
         if (m_hole[f])
-          m_boundary[v] = 1;
+          m_boundary[v] = at_hole[v] = 1;
         else
           number[v] = 0;
       if (m_hole[f]) continue;
@@ -281,8 +282,11 @@ private:
                   list->end());
       for (int& v : *list) v = number[v];
     }
+    for (int v = 0; v < int(at_hole.size()); ++v)
+      if (at_hole[v] && number[v] >= 0) m_out.hole_vertices.push_back(number[v]);
     m_out.mesh.quads = std::move(quads);
     m_out.chart_of_quad = std::move(chart);
+    m_out.components = internal::quad_components(m_out.mesh.quads, count);
     return {};
   }
 

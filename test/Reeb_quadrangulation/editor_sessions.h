@@ -131,7 +131,7 @@ inline Edit_report applied(Editor& editor, const Edit& edit) {
   CHECK(done->new_contours == only_in(contours_of(editor), contours));
   CHECK(done->removed_contours == only_in(contours, contours_of(editor)));
   const Stitched_mesh quads = editor.quads();
-  CHECK(stages::faults(quads.mesh, editor.working_surface(), quads.valences) == "");
+  CHECK(stages::faults(quads.mesh, editor.working_surface(), quads.valences, quads.components) == "");
   for (const auto& chart : editor.design().charts) CHECK(stages::folds(*chart->chart, *chart->map) == 0);
 
   const Bytes fresh = bytes_of(editor);

@@ -133,10 +133,11 @@ inline Result<Stages> run(const Triangle_surface& s, const Designed_field& field
 /// A sentence for each check of topology and valences that failed. Tiny surfaces need not be embedded in space, so
 /// nothing is asked about inside and outside.
 inline std::string faults(const Quad_mesh& mesh, const Triangle_surface& s,
-                          const std::map<int, int>& valences) {
+                          const std::map<int, int>& valences,
+                          const std::vector<std::pair<int, int>>& components = {}) {
   Certificate_options options;
   options.measure_distance = options.find_self_intersections = false;
-  const Certificate certificate = certify({mesh, &s, valences}, options);
+  const Certificate certificate = certify({mesh, &s, valences, components}, options);
   std::string text;
   for (const Certificate_check& check : certificate.checks)
     if (check.status == Check_status::failed && check.name != "outward" && check.name != "no_inverted_quads")

@@ -19,7 +19,7 @@ public:
   Generator(const Editor& editor, tiny::Random& random) : m_editor(editor), m_random(random) {}
 
   Edit next() {
-    switch (m_random.below(26)) {
+    switch (m_random.below(36)) {
     case 0:
       return Add_extremum{vertex(), m_random.below(2) == 0, Edit_scope::chart, 0.1 + 0.8 * m_random.unit()};
     case 1: return Add_extremum{vertex(), m_random.below(2) == 0, scope()};
@@ -52,7 +52,18 @@ public:
     case 22: return Move_corner{extremum(), contour()};
     case 23: return count();
     case 24: return Set_target{0, m_editor.design().edge_length * (0.8 + 0.5 * m_random.unit())};
-    default: return Lock_chart{vertex(), m_random.below(3) == 0};
+    case 25: return Lock_chart{vertex(), m_random.below(3) == 0};
+    case 26: {
+      const Surface_point p = vertex();
+      return Drag_vertices{{p, near(p)},      near(p),  0.3 * m_random.unit(), Falloff(m_random.below(3)), 2,
+                           m_random.below(3), {near(p)}};
+    }
+    case 27:
+      return Relax_texture{
+          vertex(), 1 + m_random.below(4), m_random.below(2) * 0.3 * m_random.unit(), {}, scope()};
+    case 28: return Snap_vertices{{vertex()}, 20 + 60 * m_random.unit()};
+    case 29: return Reset_texture{vertex(), scope()};
+    default: return texture_operator();
     }
   }
 
@@ -64,6 +75,33 @@ private:
     case 2: return Set_shift{vertex(), m_random.below(7) - 3};
     default: return Set_grading{vertex(), 0.25 + 3 * m_random.unit()};
     }
+  }
+  // Subdivisions of everything would soon make too many quads.
+  Edit texture_operator() {
+    const Surface_point p = vertex();
+    Edit_texture edit;
+    edit.operation = Texture_operator(m_random.below(14));
+    edit.points = {p};
+    switch (edit.operation) {
+    case Texture_operator::subdivide:
+      return m_random.below(3) == 0 && is_coarse(p) ? Edit(edit) : Reset_texture{p};
+    case Texture_operator::coarsen: break;
+    case Texture_operator::insert_polychord:
+    case Texture_operator::delete_polychord:
+      edit.fraction = 0.2 + 0.6 * m_random.unit();
+      edit.scope = m_random.below(2) == 0 ? Edit_scope::surface : Edit_scope::chart;
+      break;
+    case Texture_operator::open_quad:
+    case Texture_operator::inset_quads:
+    case Texture_operator::delete_quads:
+    case Texture_operator::restore_quads: edit.points.push_back(near(p)); break;
+    default: break;
+    }
+    return edit;
+  }
+  bool is_coarse(const Surface_point& p) const {
+    const int c = m_editor.chart_at(p);
+    return c >= 0 && m_editor.design().charts[std::size_t(c)]->texture.texture.quads.size() < 1000;
   }
   Edit_scope scope() { return m_random.below(4) == 0 ? Edit_scope::surface : Edit_scope::chart; }
   Surface_point at(int v) const { return {m_editor.working_surface().points[v], v}; }

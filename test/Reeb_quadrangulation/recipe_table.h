@@ -6,6 +6,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 
+#include "editor_sessions.h"
 #include "tiny_surfaces.h"
 
 #include <catch2/catch.hpp>
@@ -22,12 +23,15 @@
 namespace recipes {
 
 using namespace CGAL::Reeb_quadrangulation;
+using sessions::Bytes;
+using sessions::bytes_of;
 
 struct Entry {
   std::string name;
   std::string input; ///< a surface of the tests, or empty
   std::string model; ///< a file of the folder of real meshes, or empty
   std::map<int, int> valences;
+  std::vector<Point> corners; ///< where the recipe puts a vertex
 };
 
 inline std::string text_of(const std::string& file) {
@@ -43,9 +47,11 @@ inline std::vector<Entry> table() {
   std::vector<Entry> entries;
   const nlohmann::json all = nlohmann::json::parse(text_of("expected.json"));
   for (const auto& [name, entry] : all.items()) {
-    Entry e{name, entry.value("input", ""), entry.value("model", ""), {}};
+    Entry e{name, entry.value("input", ""), entry.value("model", ""), {}, {}};
     for (const auto& [valence, number] : entry["valences"].items())
       e.valences[std::stoi(valence)] = number.get<int>();
+    for (const auto& p : entry.value("corners", nlohmann::json::array()))
+      e.corners.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
     entries.push_back(std::move(e));
   }
   return entries;
@@ -56,18 +62,6 @@ inline Recipe recipe(const std::string& name) {
   INFO(name << (read ? "" : read.error().message));
   REQUIRE(bool(read));
   return std::move(*read);
-}
-
-/// What must come back to the byte.
-struct Bytes {
-  std::vector<Point> points;
-  std::vector<Quad> quads;
-  bool operator==(const Bytes& o) const { return points == o.points && quads == o.quads; }
-};
-
-inline Bytes bytes_of(const Editor& editor) {
-  Stitched_mesh quads = editor.quads();
-  return {std::move(quads.mesh.points), std::move(quads.mesh.quads)};
 }
 
 /// "3: 8, 8: 2"; valence 4 is left out.
@@ -87,6 +81,16 @@ inline std::string replay(Editor& editor, const std::vector<Edit>& edits) {
   return {};
 }
 
+/// Whether every corner of an entry is a vertex, but for a fraction of the surface's size.
+inline bool has_corners(const Quad_mesh& mesh, const Entry& entry, const Triangle_surface& surface) {
+  double size = 0;
+  for (const Point& p : surface.points) size = std::max(size, (p - surface.points[0]).norm());
+  return std::all_of(entry.corners.begin(), entry.corners.end(), [&](const Point& corner) {
+    return std::any_of(mesh.points.begin(), mesh.points.end(),
+                       [&](const Point& p) { return (p - corner).norm() < 1e-6 * size; });
+  });
+}
+
 /// Replays a recipe on a surface: the quads are certified, with exactly the valences of the table, and every state comes back to the
 /// byte by undo and redo.
 inline void check(const Entry& entry, const Triangle_surface& surface) {
@@ -101,14 +105,16 @@ inline void check(const Entry& entry, const Triangle_surface& surface) {
     states.push_back(bytes_of(editor));
   }
   const Stitched_mesh quads = editor.quads();
-  const Certificate certificate = certify({quads.mesh, &surface, quads.valences});
+  const Certificate certificate = certify({quads.mesh, &surface, quads.valences, quads.components});
   CHECK(certificate.passed);
   CHECK(extraordinary(certificate.interior_valences) == extraordinary(entry.valences));
+  CHECK(has_corners(quads.mesh, entry, surface));
   const Result<Stitched_mesh> finished = editor.finished_quads();
   REQUIRE(bool(finished));
-  const Certificate relaxed = certify({finished->mesh, &surface, finished->valences});
+  const Certificate relaxed = certify({finished->mesh, &surface, finished->valences, finished->components});
   CHECK(relaxed.passed);
   CHECK(relaxed.inverted_quads.empty());
+  CHECK(has_corners(finished->mesh, entry, surface));
   while (editor.can_undo()) {
     editor.undo();
     REQUIRE(bytes_of(editor) == states[editor.position()]);

@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random edits, undo and redo: whatever is asked, the quads are certified, and every state comes back to the byte.
-#include "layout_stages.h"
+#include "editor_sessions.h"
 #include "random_edits.h"
-
-#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
-#include <CGAL/Reeb_quadrangulation/shapes.h>
-
-#include <catch2/catch.hpp>
 
 #include <cstdlib>
 #include <iostream>
 #include <map>
 
 using namespace CGAL::Reeb_quadrangulation;
+using namespace sessions;
 using tiny::Random;
 
 namespace {
 
-struct Bytes {
-  std::vector<Point> points;
-  std::vector<Quad> quads;
-  bool operator==(const Bytes& o) const { return points == o.points && quads == o.quads; }
-};
-
-Bytes bytes_of(const Editor& editor) {
-  const Stitched_mesh quads = editor.quads();
-  return {quads.mesh.points, quads.mesh.quads};
-}
-
 // What the invariants say against the present state, or nothing.
 std::string complaint(const Editor& editor) {
   const Stitched_mesh quads = editor.quads();
-  std::string text = stages::faults(quads.mesh, editor.working_surface(), quads.valences);
+  std::string text = stages::faults(quads.mesh, editor.working_surface(), quads.valences, quads.components);
   for (const auto& chart : editor.design().charts)
     if (stages::folds(*chart->chart, *chart->map) > 0) text += "a chart folds; ";
   return text;
@@ -41,6 +26,12 @@ struct Tally {
   std::map<std::string, int> refused, applied;
   int undone = 0, redone = 0;
 };
+
+// "subdivide_chart", "edit_texture 3".
+std::string kind(const Edit& edit) {
+  const auto* texture = std::get_if<Edit_texture>(&edit);
+  return name(edit) + (texture ? " " + std::to_string(int(texture->operation)) : "");
+}
 
 // The first sentence of a refusal.
 std::string reason(const Error& error) {
@@ -85,7 +76,7 @@ void edit_at_random(const Triangle_surface& surface, int edits, std::uint64_t se
       REQUIRE(bytes_of(editor) == history[editor.position()]);
       continue;
     }
-    ++tally.applied[name(edit)];
+    ++tally.applied[kind(edit)];
     history.resize(editor.position());
     history.push_back(bytes_of(editor));
     REQUIRE(complaint(editor) == "");

@@ -246,6 +246,31 @@ TEST_CASE("an edited texture stays in its place to the bit when counts around it
   CHECK(valences(editor) == std::map<int, int>{{3, 8}});
 }
 
+TEST_CASE("an edited texture stays when a contour of its chart moves") {
+  for (const bool in_cap : {false, true}) {
+    Editor editor = sphere_session();
+    applied(editor, Subdivide_chart{{Point(0.9, 0, 0.436), -1}});
+    const Surface_point place = in_cap ? at(0, 0, 1) : at(0.95, 0, -0.3);
+    const int q = quad_near(editor, place), id = chart_at(editor, place).id;
+    applied(editor, operation(Operator::inset_quads, {quad_point(editor, place, q)}));
+    const std::vector<Quad> quads = texture_at(editor, place).quads;
+    const Surface_point line = at(0.9, 0, 0.436), cap = at(0.3, 0, 0.95);
+    const Edit_report report = applied(editor, in_cap ? Move_contour{cap, {0, 0, 0.85}, {0.1, 0, 1}, {}}
+                                                      : Move_contour{line, {0, 0, 0.5}, {0.1, 0.1, 1}, {}});
+    CHECK(std::count(report.removed_charts.begin(), report.removed_charts.end(), id) == 1);
+    CHECK(report.lost_textures.empty());
+    CHECK(chart_at(editor, place).edited);
+    CHECK(chart_at(editor, place).id != id);
+    CHECK(texture_at(editor, place).quads == quads);
+    CHECK(valences(editor) == std::map<int, int>{{3, 12}, {5, 4}});
+    const Edit_report straight = applied(editor, Straighten_contour{in_cap ? cap : line});
+    CHECK(straight.lost_textures.empty());
+    CHECK(texture_at(editor, place).quads == quads);
+    applied(editor, Reset_texture{place, Edit_scope::chart});
+    CHECK(valences(editor) == std::map<int, int>{{3, 8}});
+  }
+}
+
 TEST_CASE("a chart that is cut anew loses its edited texture, and the report says so") {
   Editor editor = sphere_session();
   const int id = chart_at(editor, equator).id;
@@ -260,9 +285,15 @@ TEST_CASE("deleted quads are holes, and come back") {
   const Bytes before = bytes_of(editor);
   const int q = quad_near(editor, equator);
   const Surface_point quad = quad_point(editor, equator, q);
-  const Result<Edit_report> done = editor.apply(operation(Operator::delete_quads, {quad}));
-  REQUIRE(bool(done));
+  applied(editor, operation(Operator::delete_quads, {quad}));
   CHECK(editor.quads().holes == 1);
+  CHECK(editor.quads().hole_vertices.size() == 4);
+  CHECK(editor.quads().components == std::vector<std::pair<int, int>>{{1, 1}});
+  const Result<Stitched_mesh> finished = editor.finished_quads();
+  REQUIRE(bool(finished));
+  CHECK(stages::faults(finished->mesh, editor.input(), finished->valences, finished->components) == "");
+  for (int v : finished->hole_vertices)
+    CHECK(has_vertex_at(editor.quads(), finished->mesh.points[std::size_t(v)]));
   CHECK(editor.quads().mesh.quads.size() == before.quads.size() - 1);
   applied(editor, operation(Operator::restore_quads, {quad}));
   CHECK(bytes_of(editor) == before);

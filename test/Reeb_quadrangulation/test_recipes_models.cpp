@@ -3,28 +3,98 @@
 #include "recipe_table.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <catch2/catch.hpp>
 
 #include <filesystem>
+#include <iostream>
 
 using namespace CGAL::Reeb_quadrangulation;
 
+namespace {
+
+Triangle_surface model(const std::string& name) {
+  const std::filesystem::path file = std::filesystem::path(REEBQUAD_MODELS_DIR) / name;
+  if (!std::filesystem::exists(file)) {
+    WARN(name << " is not there: skipped");
+    return {};
+  }
+  const Result<Polygon_soup> soup = read_polygon_soup(file.string());
+  REQUIRE(bool(soup));
+  Result<Mended_surface> mended = mend_surface(*soup);
+  REQUIRE(bool(mended));
+  REQUIRE(mended->components.size() == 1);
+  return std::move(mended->components[0].surface);
+}
+
+Stitched_mesh finished(const Triangle_surface& surface, const Recipe& recipe) {
+  Result<Editor> editor = Editor::create(surface, recipe.options);
+  REQUIRE(bool(editor));
+  REQUIRE(recipes::replay(*editor, recipe.edits) == "");
+  Result<Stitched_mesh> quads = editor->finished_quads();
+  REQUIRE(bool(quads));
+  return std::move(*quads);
+}
+
+} // namespace
+
 TEST_CASE(
     "a recipe for a real mesh gives certified quads with exactly the extraordinary vertices that it is for") {
-  for (const recipes::Entry& entry : recipes::table()) {
-    const std::filesystem::path file = std::filesystem::path(REEBQUAD_MODELS_DIR) / entry.model;
-    if (entry.model.empty()) continue;
-    if (!std::filesystem::exists(file)) {
-      WARN(entry.model << " is not there: skipped");
-      continue;
+  for (const recipes::Entry& entry : recipes::table())
+    if (const Triangle_surface surface = entry.model.empty() ? Triangle_surface() : model(entry.model);
+        surface.number_of_faces() > 0)
+      recipes::check(entry, surface);
+}
+
+TEST_CASE("the rocker arm's hammer has its corners by cube subdivision, and has not by contours alone") {
+  const Triangle_surface surface = model("rocker_arm.obj");
+  if (surface.number_of_faces() == 0) return;
+  Recipe recipe = recipes::recipe("rocker_arm_hammer"), contours = recipe;
+  const Stitched_mesh quads = finished(surface, recipe);
+  // The same atlas, filled regularly with as many quads.
+  const auto is_of_textures = [](const Edit& e) {
+    return std::holds_alternative<Edit_texture>(e) || std::holds_alternative<Drag_vertices>(e);
+  };
+  contours.edits.erase(std::find_if(contours.edits.begin(), contours.edits.end(), is_of_textures),
+                       contours.edits.end());
+  contours.edits.push_back(Set_target{int(quads.mesh.quads.size()), 0});
+  const Stitched_mesh regular = finished(surface, contours);
+  CHECK(std::abs(double(regular.mesh.quads.size()) / double(quads.mesh.quads.size()) - 1) < 0.05);
+  for (const recipes::Entry& entry : recipes::table())
+    if (entry.name == "rocker_arm_hammer") {
+      CHECK(recipes::has_corners(quads.mesh, entry, surface));
+      CHECK(!recipes::has_corners(regular.mesh, entry, surface));
     }
-    const Result<Polygon_soup> soup = read_polygon_soup(file.string());
-    REQUIRE(bool(soup));
-    const Result<Mended_surface> mended = mend_surface(*soup);
-    REQUIRE(bool(mended));
-    REQUIRE(mended->components.size() == 1);
-    recipes::check(entry, mended->components[0].surface);
+  const Mesh_statistics ours = quad_statistics(quads.mesh, &surface),
+                        theirs = quad_statistics(regular.mesh, &surface);
+  CHECK(ours.inverted_quads == 0);
+  CHECK(*ours.undersampled_area < *theirs.undersampled_area);
+  std::cout << "scaled Jacobian: connectivity textures " << ours.scaled_jacobian.mean << ", contours "
+            << theirs.scaled_jacobian.mean << '\n';
+  for (std::size_t i = 10; i < 20; ++i)
+    std::cout << "  from " << double(i) / 10 - 1 << ": " << ours.scaled_jacobian_histogram[i] << ", "
+              << theirs.scaled_jacobian_histogram[i] << '\n';
+}
+
+TEST_CASE("bimba's bow is denser than the rest, whose textures stay as they were") {
+  const Triangle_surface surface = model("bimba.obj");
+  if (surface.number_of_faces() == 0) return;
+  const Recipe recipe = recipes::recipe("bimba_bow");
+  Result<Editor> editor = Editor::create(surface, recipe.options);
+  REQUIRE(bool(editor));
+  int refined = 0;
+  for (const Edit& edit : recipe.edits) {
+    const sessions::Charts before = sessions::charts_of(*editor);
+    const Result<Edit_report> done = editor->apply(edit);
+    REQUIRE(bool(done));
+    if (!std::holds_alternative<Edit_texture>(edit)) continue;
+    ++refined;
+    REQUIRE(done->remeshed_charts.size() == 1);
+    for (const auto& [id, chart] : sessions::charts_of(*editor))
+      CHECK((chart == before.at(id)) == (id != done->remeshed_charts[0]));
+    CHECK(editor->quads().t_junctions > 0);
   }
+  CHECK(refined == 2);
 }

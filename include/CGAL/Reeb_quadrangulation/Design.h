@@ -49,6 +49,7 @@ struct Design_chart {
   std::shared_ptr<const Chart_parameterization> map; ///< of an annulus, with V solved for the present counts
   Placed_texture texture;
   bool edited = false;             ///< the texture is the user's, no longer the regular one of `grid`
+  int texture_id = -1;             ///< of an edited texture, for life: also when the chart is cut anew
   std::array<int, 2> grid{{0, 0}}; ///< columns and rows of a regular texture
   double height = 0;               ///< of an annulus
   Chart_settings settings;

@@ -198,7 +198,7 @@ struct Lock_chart {
 
 /// \name Connectivity textures
 /// Points mean the quad of a chart's texture that contains them, its edge or its vertex that is nearest in the chart's map; all points of
-/// an edit lie in one chart. An edited texture stays as it is as long as the chart's contours stay, whatever counts change around it: where
+/// an edit lie in one chart. An edited texture stays as it is as long as the chart's contours stay or are moved, whatever counts change around it: where
 /// charts then do not meet vertex by vertex, `stitch_textures()` joins them. With `Edit_scope::surface` an edit of whole textures takes
 /// all charts, and a polychord goes on through all charts until it closes.
 /// @{

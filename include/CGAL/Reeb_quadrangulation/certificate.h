@@ -35,6 +35,9 @@ struct Certificate_input {
   /// if the prediction names it, for the number of regular vertices depends on the sampling; every other
   /// valence is compared, so an empty map predicts that there is no extraordinary interior vertex.
   std::optional<std::map<int, int>> predicted_valences{};
+  /// If the quads are meant to have holes that the input has not: the Euler characteristic and the number of boundary loops of each
+  /// component, which are then expected in place of the input's.
+  std::vector<std::pair<int, int>> predicted_components{};
 };
 
 /// Which of the costly parts to run, and their limits.

@@ -97,10 +97,10 @@ struct Finished_quads {
 };
 
 /// The last stage: relaxes quads on the input surface; where `features.feature_angle > 0`, moves vertices onto sharp edges and
-/// relaxes again with these held.
+/// relaxes again with these held. The vertices in `held` stay where they are.
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation = {}, const Snap_options& features = {},
-                                    Observer* observer = nullptr);
+                                    Observer* observer = nullptr, const std::vector<int>& held = {});
 
 /// The extrema that the options ask for, in increasing order, and whether each boundary loop is a maximum; `values` is left empty.
 Result<Designed_field> choose_extrema(const Triangle_surface& surface,

@@ -76,6 +76,9 @@ struct Stitched_mesh {
   std::vector<int> interpolated;  ///< the vertices that resolving T-junctions added, beside the surface
   int t_junctions = 0;            ///< vertices of one side of a contour edge that the other had not
   int holes = 0;                  ///< quads of the textures that were left out
+  std::vector<int> hole_vertices; ///< the vertices around them
+  /// If there are holes: the Euler characteristic and the number of boundary loops of each component of what is left.
+  std::vector<std::pair<int, int>> components;
 };
 
 /// Joins the placed textures. Where the charts on both sides of a contour edge have a vertex in the same place, they meet by

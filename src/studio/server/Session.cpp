@@ -260,8 +260,8 @@ void Session::certify_quads(bool wholly, const Observer* observer) {
   Certificate_options options;
   options.measure_distance = options.find_self_intersections = wholly;
   options.observer = observer;
-  m_certificate =
-      CGAL::Reeb_quadrangulation::certify({quads.mesh, &m_work->surface(), quads.valences}, options);
+  m_certificate = CGAL::Reeb_quadrangulation::certify(
+      {quads.mesh, &m_work->surface(), quads.valences, quads.components}, options);
 }
 
 const Layers& Session::layers() {

@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +34,9 @@ inline int target(const std::vector<Quad>& quads, int h) {
 /// The opposite halfedge of each, or -1 on the boundary. Returns the first quad with an edge that another quad passes in the same
 /// direction or that joins a vertex to itself, or -1 if there is none. O(Q) where valences are bounded.
 int connect_quads(const std::vector<Quad>& quads, int number_of_vertices, std::vector<int>& opposite);
+
+/// The Euler characteristic and the number of boundary loops of each component of manifold quads. O(Q). \pre `connect_quads()` succeeds.
+std::vector<std::pair<int, int>> quad_components(const std::vector<Quad>& quads, int number_of_vertices);
 
 } // namespace internal
 } // namespace Reeb_quadrangulation
