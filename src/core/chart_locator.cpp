@@ -17,6 +17,8 @@ namespace {
 
 constexpr int crowded = 48; // boxes in a cell that gets a grid of its own
 constexpr int deepest = 24;
+constexpr double most_copies = 16; // of a box in the cells of one grid, on average
+constexpr double most_items = 64;  // entries of all cells for each triangle before no more grids are nested
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -113,8 +115,18 @@ int Chart_locator::build_grid(const Box& box, const std::vector<int>& items, int
   Grid grid{box.v0, box.u0, 0, 0, 1, 1, int(m_cells.size())};
   grid.columns = int(std::clamp(wide * scale, 1.0, most));
   grid.rows = int(std::clamp(high * scale, 1.0, most / grid.columns));
-  grid.columns_per_v = box.v1 > box.v0 ? grid.columns / (box.v1 - box.v0) : 0;
-  grid.rows_per_u = box.u1 > box.u0 ? grid.rows / (box.u1 - box.u0) : 0;
+  // Some large boxes among many small ones would be in most of the cells: then there are fewer cells.
+  for (bool fits = false; !fits;) {
+    grid.columns_per_v = box.v1 > box.v0 ? grid.columns / (box.v1 - box.v0) : 0;
+    grid.rows_per_u = box.u1 > box.u0 ? grid.rows / (box.u1 - box.u0) : 0;
+    double copies = 0;
+    for (const Box& b : boxes)
+      copies += double(grid.column(b.v1) - grid.column(b.v0) + 1) * (grid.row(b.u1) - grid.row(b.u0) + 1);
+    fits = copies <= most_copies * most || grid.columns * grid.rows == 1;
+    if (fits) continue;
+    grid.columns = (grid.columns + 1) / 2;
+    grid.rows = (grid.rows + 1) / 2;
+  }
   const int index = int(m_grids.size()), cells = grid.columns * grid.rows;
   m_grids.push_back(grid);
   m_cells.resize(m_cells.size() + cells);
@@ -133,7 +145,8 @@ int Chart_locator::build_grid(const Box& box, const std::vector<int>& items, int
   for_each_cell([&](int c, int item) { inside[end[c]++] = item; });
   for (int c = 0; c < cells; ++c) {
     const int number = begin[c + 1] - begin[c];
-    if (number > crowded && depth < deepest && number < int(items.size())) {
+    if (number > crowded && depth < deepest && number < int(items.size()) &&
+        double(m_items.size()) < most_items * double(m_triangles.size())) {
       const int row = c / grid.columns, column = c % grid.columns;
       const double dv = (box.v1 - box.v0) / grid.columns, du = (box.u1 - box.u0) / grid.rows;
       const int child = build_grid(
