@@ -50,7 +50,7 @@ int main() {
   poles.extrema.push_back({at(0, 0, 1), true, -1});
   apply(editor, "a regular design", poles);
 
-  // A line of new edges through all charts: no extraordinary vertex more.
+  // A line of new edges until it closes, here a ring around the belt: no extraordinary vertex more.
   apply(editor, "a polychord",
         texture(RQ::Texture_operator::insert_polychord, at(1, 0, 0), RQ::Edit_scope::surface));
   // The face of a cube.

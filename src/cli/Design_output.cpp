@@ -34,12 +34,19 @@ std::string Design_output::report(const std::string& input, const std::string& o
   out["output"] = output.empty() ? Json(nullptr) : Json(output);
   out["edits"] = Json::array();
   for (int i = 0; i < m_editor.position(); ++i) out["edits"].push_back(name(m_editor.edits()[i]));
-  int discs = 0;
-  for (const auto& chart : design.charts) discs += chart->chart->kind == Chart_kind::disc;
+  int discs = 0, edited = 0;
+  for (const auto& chart : design.charts) {
+    discs += chart->chart->kind == Chart_kind::disc;
+    edited += chart->edited;
+  }
   out["design"] = {{"charts", design.charts.size()},
                    {"discs", discs},
                    {"extrema", design.extrema.size()},
                    {"edge_length", design.edge_length}};
+  out["textures"] = {{"edited", edited},
+                     {"t_junctions", m_quads.t_junctions},
+                     {"extraordinary_vertices", m_quads.extraordinary},
+                     {"holes", m_quads.holes}};
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : m_quads.valences)
     out["predicted_valences"][std::to_string(valence)] = number;

@@ -293,6 +293,8 @@ TEST_CASE("deleted quads are holes, and come back") {
   const Result<Stitched_mesh> finished = editor.finished_quads();
   REQUIRE(bool(finished));
   CHECK(stages::faults(finished->mesh, editor.input(), finished->valences, finished->components) == "");
+  CHECK(stages::faults(finished->mesh, editor.input(), finished->valences) !=
+        ""); // a hole that nobody predicted
   for (int v : finished->hole_vertices)
     CHECK(has_vertex_at(editor.quads(), finished->mesh.points[std::size_t(v)]));
   CHECK(editor.quads().mesh.quads.size() == before.quads.size() - 1);
