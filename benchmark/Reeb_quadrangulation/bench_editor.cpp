@@ -102,7 +102,11 @@ int main(int argc, char** argv) {
     return Move_extremum{e, random.beside(e, 10), Edit_scope::chart};
   });
   run("add_extremum", [&] { return Add_extremum{random.vertex(), random.below(2) == 0}; });
+  const int designed = editor.position();
+  for (int tries = 0; tries < 100 && editor.position() < designed + 4; ++tries) // some that can go again
+    editor.apply(Add_extremum{random.vertex(), true});
   run("remove_extremum", [&] { return Remove_extremum{random.extremum()}; });
+  while (editor.position() > designed) editor.undo();
   run("move_extremum on the whole surface", [&] {
     const Surface_point e = random.extremum();
     return Move_extremum{e, random.beside(e, 10), Edit_scope::surface};

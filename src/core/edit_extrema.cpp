@@ -287,6 +287,7 @@ Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int insi
   for (std::vector<int>* list : {&region->field.minima, &region->field.maxima})
     std::sort(list->begin(), list->end());
   const Result<Reeb_layout> layout = make_layout(region->chart.mesh, region->field);
+  if (!layout && layout.error().code == Error_code::impossible_request) return refuse(layout.error().message);
   if (!layout) return refuse("too near to another contour", layout.error().message);
   if (!layout->lost_extrema.empty()) return refuse("there is no room for another extremum");
   std::vector<int> fresh;

@@ -74,6 +74,12 @@ TEST_CASE("an extremum is added, moved and removed inside its charts") {
           "the strength of an extremum is between 0 and 1");
 }
 
+TEST_CASE("the last minimum and the last maximum cannot be removed") {
+  Editor editor = sphere_session();
+  refused(editor, Remove_extremum{at(0, 0, 1)}, "the field needs at least one maximum");
+  refused(editor, Remove_extremum{at(0, 0, -1)}, "the field needs at least one minimum");
+}
+
 TEST_CASE("extrema are edited on the whole surface, too") {
   Editor editor = sphere_session();
   applied(editor, Add_extremum{at(1, 0, 0), true, Edit_scope::surface});
