@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <string>
+#include <tuple>
 
 using namespace bench;
 using Json = nlohmann::ordered_json;
@@ -119,5 +120,16 @@ int main(int argc, char** argv) {
   run("set_rows", [&] { return Set_rows{random.vertex(), 4 + int(random.below(20))}; });
   run("set_columns", [&] { return Set_columns{random.vertex(), 8 + 2 * int(random.below(20))}; });
   run("set_shift", [&] { return Set_shift{random.vertex(), 1 + int(random.below(5))}; });
+  for (const auto& [kind, operation, scope] :
+       {std::tuple{"insert_polychord", Texture_operator::insert_polychord, Edit_scope::chart},
+        std::tuple{"insert_polychord through all charts", Texture_operator::insert_polychord,
+                   Edit_scope::surface},
+        std::tuple{"inset_quads", Texture_operator::inset_quads, Edit_scope::chart},
+        std::tuple{"subdivide one chart", Texture_operator::subdivide, Edit_scope::chart}})
+    run(kind, [&, o = operation, s = scope] { return Edit_texture{o, {random.vertex()}, 0.5, s}; });
+  run("drag_vertices", [&] {
+    const Surface_point p = random.vertex();
+    return Drag_vertices{{p}, random.beside(p, 5), 0, Falloff::smooth, 2, 3};
+  });
   run("set_target", [&] { return Set_target{2000 + int(random.below(2000)), 0}; });
 }
