@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design_draft.h"
 
+#include <CGAL/Reeb_quadrangulation/internal/quad_connectivity.h>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -31,7 +33,10 @@ Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surfa
     return refuse("the quads of a locked chart would be split where its neighbours are denser", {},
                   Element_kind::chart, design.charts[c]->id);
   }
-  if (!stitched) return stitched;
+  if (!stitched || !has_edited_texture(design)) return stitched;
+  if (const int q = internal::find_fault(stitched->mesh.quads, int(stitched->mesh.points.size())); q >= 0)
+    return refuse("quads of neighbouring charts would be folded onto each other", {}, Element_kind::chart,
+                  design.charts[std::size_t(stitched->chart_of_quad[std::size_t(q)])]->id);
   for (int v : stitched->interpolated)
     stitched->mesh.points[v] = projector.closest(stitched->mesh.points[v]).point;
   return stitched;

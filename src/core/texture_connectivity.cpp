@@ -26,6 +26,27 @@ int connect_quads(const std::vector<Quad>& quads, int number_of_vertices, std::v
   return -1;
 }
 
+int find_fault(const std::vector<Quad>& quads, int number_of_vertices) {
+  for (int q = 0; q < int(quads.size()); ++q)
+    if (quads[q][0] == quads[q][2] || quads[q][1] == quads[q][3]) return q;
+  std::vector<int> opposite, at(std::size_t(number_of_vertices), 0);
+  if (const int q = connect_quads(quads, number_of_vertices, opposite); q >= 0) return q;
+  for (const Quad& q : quads)
+    for (int v : q) ++at[std::size_t(v)];
+  // The fan of each vertex from its boundary, or from any quad, has all quads at the vertex.
+  for (int h = 0; h < int(opposite.size()); ++h) {
+    int& left = at[std::size_t(source(quads, h))];
+    if (left <= 0) continue;
+    int first = h;
+    while (opposite[first] >= 0 && next(opposite[first]) != h) first = next(opposite[first]);
+    int number = 1;
+    for (int k = opposite[previous(first)]; k >= 0 && k != first; k = opposite[previous(k)]) ++number;
+    if (number != left) return quad_of(h);
+    left = 0;
+  }
+  return -1;
+}
+
 std::vector<std::pair<int, int>> quad_components(const std::vector<Quad>& quads, int number_of_vertices) {
   std::vector<int> opposite, component(quads.size(), -1);
   connect_quads(quads, number_of_vertices, opposite);

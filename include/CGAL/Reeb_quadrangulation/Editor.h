@@ -23,9 +23,9 @@ struct Editor_options {
 
 /// What an edit, an undo or a redo changed.
 struct Edit_report {
-  std::vector<int> new_charts, removed_charts;     ///< identities; see `Design_chart::id`
-  std::vector<int> remeshed_charts;                ///< kept charts with other counts or another texture
-  std::vector<int> lost_textures;                  ///< removed charts whose edited texture no other chart took over
+  std::vector<int> new_charts, removed_charts; ///< identities; see `Design_chart::id`
+  std::vector<int> remeshed_charts;            ///< kept charts with other counts or another texture
+  std::vector<int> lost_textures; ///< removed charts whose edited texture no other chart took over
   std::vector<int> new_contours, removed_contours; ///< contour edges
   std::vector<int> changed_counts;                 ///< kept contour edges with another count
   double seconds = 0;                              ///< wall time
