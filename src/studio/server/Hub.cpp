@@ -79,6 +79,7 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   case Command::forget: session.forget(); return Json::object();
   case Command::edit: return session.edit(body["edit"], observer, integer(body, "drag"), is_live(body));
   case Command::preview: return session.preview(body["edit"], observer);
+  case Command::hints: return session.hints(observer);
   case Command::undo: return done(session.undo());
   case Command::redo: return done(session.redo());
   case Command::go_to: return done(session.go_to(int(std::clamp<std::int64_t>(body["step"], -1, 1 << 30))));
@@ -165,7 +166,8 @@ void Hub::finish() {
     if (done.error().code != Error_code::cancelled) trouble(done.error().message);
   };
   m_worker->push(
-      job, [trouble](const std::string& what) { trouble("the quads could not be relaxed: " + what); }, true);
+      job, [trouble](const std::string& what) { trouble("the quads could not be relaxed: " + what); }, true,
+      false);
 }
 
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {
@@ -196,7 +198,8 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
     });
     return Json::object();
   };
-  const bool replaceable = request.command == Command::preview || is_live(request.body);
+  const bool replaceable =
+      request.command == Command::preview || request.command == Command::hints || is_live(request.body);
   // Only looking makes nothing out of date.
   const bool replaces = request.command != Command::chart && request.command != Command::list_files;
   enqueue(task, reply, replaceable, replaces);

@@ -34,6 +34,7 @@ constexpr std::array commands{
     Command_row{"forget", Command::forget, none},
     Command_row{"edit", Command::edit, {"edit", Json::value_t::object}},
     Command_row{"preview", Command::preview, {"edit", Json::value_t::object}},
+    Command_row{"hints", Command::hints, none},
     Command_row{"undo", Command::undo, none},
     Command_row{"redo", Command::redo, none},
     Command_row{"go_to", Command::go_to, {"step", Json::value_t::number_integer}},

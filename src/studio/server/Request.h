@@ -19,6 +19,7 @@ enum class Command {
   forget,
   edit,
   preview,
+  hints,
   undo,
   redo,
   go_to,

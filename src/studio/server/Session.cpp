@@ -30,6 +30,17 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
+/// For work that nobody waits for: it can be stopped, but shows no progress.
+class Quiet_observer : public Observer {
+public:
+  explicit Quiet_observer(const Observer& observer) : m_observer(observer) {}
+  void progress(const std::string&, double) override {}
+  bool cancelled() const override { return m_observer.cancelled(); }
+
+private:
+  const Observer& m_observer;
+};
+
 Error no_mesh() {
   return make_error(Error_code::impossible_request, "open a mesh first");
 }
@@ -173,9 +184,15 @@ Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t dr
   return done;
 }
 
-Result<Json> Session::preview(const Json& edit, Observer& observer) {
+Result<Json> Session::preview(const Json& edit, Observer& observer) const {
   if (!m_work) return no_mesh();
   return m_work->preview(edit, &observer);
+}
+
+Result<Json> Session::hints(Observer& observer) const {
+  if (!m_work) return no_mesh();
+  Quiet_observer quiet(observer);
+  return m_work->hints(&quiet);
 }
 
 Result<void> Session::step(bool forward) {

@@ -29,8 +29,9 @@ public:
   /// Of the edits of one `drag` (a positive number that the page chose) only the last stays: each takes the place of the one
   /// before. `live` ones are not saved.
   Result<Json> edit(const Json& edit, Observer& observer, std::int64_t drag = 0, bool live = false);
-  /// Applies the edit, takes it back and says what it would have done.
-  Result<Json> preview(const Json& edit, Observer& observer);
+  /// See `Workpiece`.
+  Result<Json> preview(const Json& edit, Observer& observer) const;
+  Result<Json> hints(Observer& observer) const;
   Result<void> undo();
   Result<void> redo();
   /// Undoes or redoes until `step` edits are applied.

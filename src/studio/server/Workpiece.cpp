@@ -3,6 +3,7 @@
 
 #include "Design_field.h"
 
+#include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 
 #include <algorithm>
@@ -34,6 +35,10 @@ const char* name_of(Pole_kind kind) {
   case Pole_kind::quarter: return "quarter";
   }
   return "";
+}
+
+Result<Edit> parse_edit(const Json& edit) {
+  return edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 /// Adds points on the surface by which edits name the quads, edges and corners of a texture.
@@ -93,37 +98,37 @@ Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, O
 }
 
 Result<Json> Workpiece::apply(const Json& edit, Observer* observer, bool live) {
-  Result<Edit> parsed = edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
+  Result<Edit> parsed = parse_edit(edit);
   if (!parsed) return parsed.error();
   Result<Edit_report> report = m_editor.apply(*parsed, observer);
   if (!report) return report.error();
   if (!live && observer && observer->cancelled()) {
     // The user was told that everything stays as it was.
     m_editor.undo();
-    m_previewed = true;
+    m_withdrawn = true;
     return make_error(Error_code::cancelled, "cancelled");
   }
-  m_previewed = false;
+  m_withdrawn = false;
   stitch();
   return json_of(*report);
 }
 
-Result<Json> Workpiece::preview(const Json& edit, Observer* observer) {
-  if (m_editor.can_redo() && !m_previewed) return Json{{"checked", false}};
-  Result<Edit> parsed = edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
+Result<Json> Workpiece::preview(const Json& edit, Observer* observer) const {
+  Result<Edit> parsed = parse_edit(edit);
   if (!parsed) return parsed.error();
-  Result<Edit_report> report = m_editor.apply(*parsed, observer);
-  if (!report) return report.error();
-  m_editor.undo();
-  m_previewed = true;
-  Json json = json_of(*report);
-  json["checked"] = true;
-  return json;
+  Result<Design> design = m_editor.preview(*parsed, observer);
+  if (!design) return design.error();
+  return Json{{"charts", design->charts.size()}};
+}
+
+Result<Json> Workpiece::hints(Observer* observer) const {
+  Result<std::vector<Hint>> found = suggest_edits(m_editor, {}, observer);
+  if (!found) return found.error();
+  return Json::parse(to_json(*found));
 }
 
 Result<void> Workpiece::undo() {
   if (!m_editor.can_undo()) return make_error(Error_code::impossible_request, "there is nothing to undo");
-  // What a preview left cannot be redone, and neither can what comes before it then.
   m_editor.undo();
   stitch();
   return {};
@@ -158,7 +163,7 @@ Result<void> Workpiece::finish(Observer* observer) {
 std::vector<Json> Workpiece::edits() const {
   std::vector<Json> list;
   for (const Edit& edit : m_editor.edits()) list.push_back(Json::parse(to_json(edit)));
-  if (m_previewed && !list.empty()) list.pop_back(); // a preview is always the last
+  if (m_withdrawn && !list.empty()) list.pop_back(); // it is always the last
   return list;
 }
 

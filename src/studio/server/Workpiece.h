@@ -27,8 +27,10 @@ public:
   /// @{
   /// Returns what changed. If it is asked to stop too late, it is taken back, unless it is `live`: another takes its place anyway.
   Result<Json> apply(const Json& edit, Observer* observer, bool live = false);
-  /// What the edit would change. Not possible while there is something to redo, which it would make impossible.
-  Result<Json> preview(const Json& edit, Observer* observer);
+  /// Whether the edit would be done, and how many charts there would be.
+  Result<Json> preview(const Json& edit, Observer* observer) const;
+  /// Edits that are worth while, as `to_json()` of hints writes them.
+  Result<Json> hints(Observer* observer) const;
   Result<void> undo();
   Result<void> redo();
   /// Relaxes the quads on the surface, as `reebquad replay` ends.
@@ -61,7 +63,7 @@ private:
   std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
   CGAL::Reeb_quadrangulation::Quad_mesh m_stitched; ///< the quads before they were finished
   bool m_finished = false;
-  bool m_previewed = false; ///< the last edit, which could be redone, was taken back for good
+  bool m_withdrawn = false; ///< the last edit, which could be redone, was taken back for good
 };
 
 /// The middle of the bounding box of the points.

@@ -20,7 +20,7 @@ import { chartPanel } from "./ui/chart_panel";
 import { designPanel } from "./ui/design_panel";
 import { defectsPanel } from "./ui/defects_panel";
 import { h, icon, save } from "./ui/dom";
-import { hintsPanel } from "./ui/hints_panel";
+import { HintsPanel } from "./ui/hints_panel";
 import { historyPanel } from "./ui/history_panel";
 import { icons } from "./ui/icons";
 import { keyboardHelp, listenToKeys, type Shortcut } from "./ui/keyboard";
@@ -43,6 +43,7 @@ export class App {
   readonly tools: ToolBox;
   readonly chartView: ChartView;
   private readonly drags: DragEdits;
+  private readonly hintsHost = h("div", {});
   private fileName = "";
   private hadQuads = false;
 
@@ -69,6 +70,7 @@ export class App {
     for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
     for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
     this.tools.add(new TextureTool(this));
+    this.hintsHost.append(new HintsPanel(this).element);
     this.tools.choose("select");
     this.wire(canvasHost, openMesh, help);
     this.connection.open();
@@ -226,7 +228,7 @@ export class App {
         this.lightQuads(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
       })),
       panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
-      panel("Hints", hintsPanel(this)),
+      panel("Hints", this.hintsHost),
       panel("Findings", defectsPanel(this.store, (where, radius) => this.viewport.focus(new THREE.Vector3(...where), radius)), false),
     );
     const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), welcome(this.store, openMesh, () => void this.ask("restore")));

@@ -66,7 +66,7 @@ export class ChartView {
     this.title.textContent = `${texture.kind === "disc" ? "Cap" : "Tube"} ${texture.id}`;
     this.facts.textContent = `${readable(texture.size)} quads`;
     this.panel.hidden = false;
-    this.mesh.set(texture.edgesInSpace(Array.from({ length: texture.size }, (_, q) => q)));
+    this.mesh.set(this.app.stage.surface.drape(texture.edgesInSpace(Array.from({ length: texture.size }, (_, q) => q))));
     this.showOnSurface();
     this.light(isOther ? { places: [], vertices: [], anchors: this.shine.anchors } : this.shine);
   }
@@ -85,7 +85,7 @@ export class ChartView {
       if (place.kind === "quad") pairs.push(...t!.edgesInSpace([place.quad]));
       if (place.kind === "edge") pairs.push(...corners[place.corner]!.toArray(), ...corners[(place.corner + 1) % 4]!.toArray());
     }
-    this.glow.set(new Float32Array(pairs));
+    this.glow.set(pairs.length > 0 ? this.app.stage.surface.drape(new Float32Array(pairs)) : new Float32Array());
     this.glow.show(pairs.length > 0);
     this.drawDots();
     this.app.viewport.invalidate();

@@ -67,7 +67,7 @@ export interface State {
   last_session?: { name: string; edits: number };
   history?: HistoryStep[];
   applied?: number;
-  facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number; hints?: Hint[] };
+  facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number };
   /** Whether the quads are relaxed already. */
   finished?: boolean;
   budget?: { needed: number; interior: Record<string, number>; boundary: Record<string, number> };
@@ -81,10 +81,12 @@ export interface State {
   };
 }
 
+/** An edit that is worth while, and why. */
 export interface Hint {
-  text: string;
-  where?: Vector;
-  edit?: Edit;
+  kind: string;
+  reason: string;
+  place: Vector;
+  edit: Edit;
 }
 
 export type ServerMessage =

@@ -39,6 +39,8 @@ export class Stage {
   shown: ReadonlySet<LayerId> = new Set(["surface"]);
   private criticalPoints: THREE.Points | null = null;
   private reebNodes: THREE.Points | null = null;
+  /** The textures' edges, if they are newer than what is drawn. */
+  private textures: Float32Array | null = null;
   private readonly criticalMaterial = markerMaterial();
   private readonly nodeMaterial = markerMaterial();
 
@@ -68,7 +70,7 @@ export class Stage {
     else if (frame.layer === "contours") this.setContours(frame);
     else if (frame.layer === "critical") this.setCritical(frame);
     else if (frame.layer === "reeb") this.setReeb(frame);
-    else if (frame.layer === "textures") this.textureLines.set(edgePairs(floats(frame, "position"), indices(frame, "quad")));
+    else if (frame.layer === "textures") this.textures = edgePairs(floats(frame, "position"), indices(frame, "quad"));
     else if (frame.layer === "quads") this.quads.set(frame);
     this.show(this.shown);
   }
@@ -76,7 +78,7 @@ export class Stage {
   remove(layer: string): void {
     if (layer === "cuts") this.surface.clearDesign();
     if (layer === "quads") this.quads.clear();
-    if (layer === "textures") this.textureLines.set(new Float32Array());
+    if (layer === "textures") this.textures = new Float32Array();
     if (layer === "contours") this.clearContours();
     if (layer === "critical") this.removePoints("criticalPoints");
     if (layer === "reeb") {
@@ -102,6 +104,10 @@ export class Stage {
     // Dark on the surface; where one looks through it, in contrast to the ground.
     const isDark = document.documentElement.dataset.theme === "dark";
     this.contourLines.material.color.setHex(seeThrough && isDark ? 0xd5dde8 : 0x16181d);
+    if (on("textures") && this.textures) {
+      this.textureLines.set(this.surface.drape(this.textures));
+      this.textures = null;
+    }
     this.textureLines.show(on("textures"));
     this.textureLines.setXray(seeThrough);
     this.reebLines.show(on("reeb"));

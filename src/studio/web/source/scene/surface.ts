@@ -13,6 +13,8 @@ export interface Hit {
 
 const hidden = -2; // the chart of a face that is drawn in pieces
 
+const mostDraped = 4000, drapePieces = 4;
+
 interface Cuts {
   position: Float32Array;
   /** Of each piece: the face that it is, and the face of the surface that it lies in. */
@@ -179,6 +181,25 @@ export class Surface {
         return false;
       },
     });
+    return new Float32Array(out);
+  }
+
+  /** Segments between points of the surface, made to lie on it: each in pieces, where there are few enough for that to be quick. */
+  drape(pairs: Float32Array): Float32Array {
+    const tree = pairs.length / 6 <= mostDraped ? (this.isEmpty ? null : (this.picker().geometry.boundsTree as MeshBVH)) : null;
+    if (!tree) return pairs;
+    const out: number[] = [], a = new THREE.Vector3(), b = new THREE.Vector3(), p = new THREE.Vector3(), found = { point: new THREE.Vector3(), distance: 0, faceIndex: 0 };
+    for (let i = 0; i < pairs.length; i += 6) {
+      a.fromArray(pairs, i);
+      b.fromArray(pairs, i + 3);
+      let last = a.toArray();
+      for (let k = 1; k <= drapePieces; ++k) {
+        p.lerpVectors(a, b, k / drapePieces);
+        const on = k < drapePieces && tree.closestPointToPoint(p, found) ? found.point.toArray() : p.toArray();
+        out.push(...last, ...on);
+        last = on;
+      }
+    }
     return new Float32Array(out);
   }
 

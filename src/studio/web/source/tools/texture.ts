@@ -268,18 +268,18 @@ export class TextureTool implements Tool {
     this.app.tools.setBox(
       h(
         "div", { className: "tool-box texture-box" }, h("strong", {}, "Texture"),
-        ...groups.map((g) => h("div", { className: "row", role: "radiogroup", "aria-label": g.name }, ...g.operators.map(button))),
+        ...groups.map((g) => h("div", { className: "row", role: "radiogroup", "aria-label": g.name }, h("span", { className: "note" }, g.name), h("div", { className: "buttons" }, ...g.operators.map(button)))),
         brushed && slider("Brush", "brush", this.brush, [0, 8, 0.5], (value) => (this.brush = value)),
         brushed && slider("Relax", "relax-steps", this.steps, [0, 20, 1], (value) => (this.steps = value)),
         this.operator.hasFraction && slider("Where", "fraction", this.fraction, [0.1, 0.9, 0.05], (value) => (this.fraction = value)),
         h("p", { className: "note" }, this.operator.about),
         h(
-          "div", { className: "row whole" }, h("span", { className: "note" }, "Whole chart"),
+          "div", { className: "row" }, h("span", { className: "note" }, "Chart"), h("div", { className: "buttons" },
           immediate("Subdivide", "subdivide", (at) => ({ edit: "edit_texture", operator: "subdivide", points: [at] })),
           immediate("Coarsen", "coarsen", (at) => ({ edit: "edit_texture", operator: "coarsen", points: [at] })),
           immediate("Relax", "relax_all", (at) => ({ edit: "relax_texture", at, anchors: this.anchorPoints() })),
           immediate("Regular", "reset", (at) => ({ edit: "reset_texture", at })),
-        ),
+        )),
       ),
     );
   }

@@ -1,53 +1,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import * as THREE from "three";
 import type { App } from "../app";
-import type { State } from "../net/messages";
-import { h, replace } from "./dom";
+import { RequestError } from "../net/connection";
+import type { Hint, State } from "../net/messages";
+import { markers } from "../scene/lines";
+import { markerMaterial, Shape } from "../scene/materials";
+import { h, icon, replace } from "./dom";
+import { icons } from "./icons";
 
-interface Advice {
-  text: string;
-  name: string;
-  run: () => void;
-}
+/** Above so many triangles hints are looked for only when the user asks: it may take many seconds. */
+const askedAbove = 60000;
 
-/** What could be better, each with a button that shows it or does it. */
-export function hintsPanel(app: App): HTMLElement {
-  const list = h("div", { className: "hint-list" });
-  app.store.watch(["state"], () => {
-    const state = app.store.get("state");
-    const advice = state?.statistics ? advices(app, state) : [];
-    replace(
-      list,
-      ...advice.slice(0, 8).map((a) => h("div", { className: "hint" }, h("span", {}, a.text), h("button", { className: "small", onclick: a.run }, a.name))),
-      advice.length === 0 && h("p", { className: "empty" }, state?.statistics ? "Nothing to improve that we know of." : "Hints appear with the first design."),
+/** Edits that are worth while, with the reason: the pointer on one shows where it is, a click applies it. */
+export class HintsPanel {
+  readonly element = h("div", { className: "hint-list" });
+  private readonly mark = new THREE.Group();
+  private readonly material = markerMaterial();
+  private hints: Hint[] | null = null;
+  private asked = -1;
+  private busy = false;
+
+  constructor(private readonly app: App) {
+    this.material.depthTest = false;
+    this.material.uniforms.size!.value = 26;
+    this.material.uniforms.ratio!.value = Math.min(devicePixelRatio, 2);
+    app.viewport.scene.add(this.mark);
+    app.store.watch(["state"], () => this.follow());
+  }
+
+  // Hints are of one state of the design; relaxing and certifying do not change it.
+  private follow(): void {
+    const state = this.app.store.get("state");
+    const isNew = !state?.statistics || this.asked !== this.design(state);
+    if (isNew) {
+      this.hints = null;
+      this.asked = -1;
+      this.show(null);
+    }
+    this.draw();
+    if (isNew && !this.busy && state?.statistics && state.finished && state.file!.triangles <= askedAbove) void this.ask(state);
+  }
+
+  /** A number that is another one after each edit. */
+  private design(state: State): number {
+    return (state.history ?? []).slice(0, state.applied).reduce((sum, step) => (sum * 31 + JSON.stringify(step.edit).length) % 1e9, state.applied ?? 0);
+  }
+
+  private async ask(state: State): Promise<void> {
+    this.asked = this.design(state);
+    this.busy = true;
+    this.draw();
+    try {
+      this.hints = (await this.app.connection.request("hints")) as Hint[];
+    } catch (error) {
+      // Something else came first: looked for again when that is done.
+      this.asked = -1;
+      if (error instanceof RequestError && error.failure.cancelled) setTimeout(() => this.follow(), 600);
+    }
+    this.busy = false;
+    this.draw();
+  }
+
+  private draw(): void {
+    const state = this.app.store.get("state");
+    const rows: (HTMLElement | null)[] = [];
+    const folded = state?.statistics?.inverted_quads ?? 0;
+    if (folded > 0)
+      rows.push(h("button", { className: "ghost hint", title: "Show them", onclick: () => this.app.lightQuads((q) => q <= 0) }, h("span", {}, `${folded} ${folded === 1 ? "quad is" : "quads are"} folded. More quads, or another contour there, may help.`)));
+    for (const hint of this.hints ?? []) rows.push(this.row(hint));
+    if (state?.statistics && this.hints === null)
+      rows.push(this.busy ? h("p", { className: "empty" }, "Looking …") : h("button", { className: "wide", id: "find-hints", onclick: () => void this.ask(state) }, "Look for hints"));
+    const nothing = state?.statistics ? "Nothing to improve that we know of." : "Hints appear with the first design.";
+    replace(this.element, ...rows, rows.length === 0 && h("p", { className: "empty" }, nothing));
+  }
+
+  private row(hint: Hint): HTMLElement {
+    const place = this.placeOf(hint);
+    const apply = h(
+      "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: () => this.show(place), onpointerleave: () => this.show(null), onfocus: () => this.show(place), onblur: () => this.show(null) },
+      h("span", {}, hint.reason), h("em", {}, hint.edit.edit.replaceAll("_", " ")),
     );
-  });
-  return list;
-}
+    const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.show(place), this.app.viewport.focus(place)) }, icon(icons.eye));
+    return h("div", { className: "hint-row" }, apply, fly);
+  }
 
-function advices(app: App, state: State): Advice[] {
-  const list: Advice[] = [];
-  const { charts, edge_length: edge } = state.facts!;
-  const choose = (id: number): void => {
-    app.setView("atlas");
-    app.store.set("chart", id);
-    const point = app.stage.surface.insideOf(id);
-    if (point) app.viewport.focus(point);
-  };
-  for (const chart of charts)
-    if (chart.kind === "annulus" && chart.height < 0.6 * edge)
-      list.push({ text: `Tube ${chart.id} is thinner than a quad: its rows are squeezed. Collapse it, or align the saddles on its two sides.`, name: "Show", run: () => choose(chart.id) });
-  const folded = state.statistics!.inverted_quads;
-  if (folded > 0)
-    list.push({ text: `${folded} ${folded === 1 ? "quad is" : "quads are"} folded. More quads, or another contour there, may help.`, name: "Show", run: () => app.lightQuads((q) => q <= 0) });
-  const halves = app.stage.critical.filter((c) => c.kind === 3).length;
-  const sixes = state.budget?.interior["6"] ?? 0;
-  if (halves > 0 && sixes > 0)
-    list.push({ text: "Between half-saddles, a cap whose corners lie on them makes them regular.", name: "Make regular", run: () => app.tools.choose("saddle") });
-  const eights = state.budget?.interior["8"] ?? 0;
-  if (eights > 0)
-    list.push({ text: `${eights} ${eights === 1 ? "vertex has" : "vertices have"} valence 8. Split saddles spread that over more vertices.`, name: "Split", run: () => app.tools.choose("saddle") });
-  for (const chart of charts)
-    if (chart.kind === "annulus" && chart.rows > 0 && chart.height / chart.rows > 2.2 * edge)
-      list.push({ text: `The quads of tube ${chart.id} are long. Give it more rows.`, name: "Show", run: () => choose(chart.id) });
-  return list;
+  private placeOf(hint: Hint): THREE.Vector3 {
+    const [x, y, z] = this.app.store.get("state")?.file?.origin ?? [0, 0, 0];
+    return new THREE.Vector3(...hint.place).sub(new THREE.Vector3(x, y, z));
+  }
+
+  private show(place: THREE.Vector3 | null): void {
+    for (const child of [...this.mark.children]) this.mark.remove(child);
+    if (place) {
+      const marks = markers(this.material, new Float32Array(place.toArray()), [[1, 0.71, 0.33]], [Shape.disc], [1]);
+      marks.renderOrder = 11;
+      this.mark.add(marks);
+    }
+    this.app.viewport.invalidate();
+  }
 }

@@ -63,7 +63,7 @@ function budget(state: State): HTMLElement {
     "Poles (valence 3) add 1, saddles (valence 8) take away 4: the design can only choose where they are and how they balance. ";
   return h(
     "span", { className: "budget", title: explanation + (parts.length ? `\nNow: ${parts.join(", ")}.` : "") },
-    "index ", h("strong", {}, signed(sum)), ` of ${signed(needed)}`, parts.length > 0 && h("em", {}, ` (${parts.slice(0, 4).join(", ")}${parts.length > 4 ? " …" : ""})`),
+    "index ", ...(parts.length || needed === 0 ? [h("strong", {}, signed(sum)), ` of ${signed(needed)}`] : ["needed ", h("strong", {}, signed(needed))]), parts.length > 0 && h("em", {}, ` (${parts.slice(0, 4).join(", ")}${parts.length > 4 ? " …" : ""})`),
   );
 }
 

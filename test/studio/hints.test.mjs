@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hints: fingers that the design leaves out are told with the reason; the pointer on a hint shows where, a click applies it.
+import assert from "node:assert/strict";
+import test, { after, before } from "node:test";
+import { Studio } from "./harness.mjs";
+
+let studio;
+before(async () => (studio = await Studio.start()));
+after(() => studio.close());
+
+const limb = '[data-hint="uncovered_limb"]';
+
+test("limbs without quads of their own are hints, with the reason", async () => {
+  await studio.upload(studio.shape("hand", 5000));
+  await studio.suggest();
+  // One finger loses its extremum.
+  await studio.tool("extremum");
+  const tip = await studio.page.evaluate(() => {
+    const tips = window.studio.stage.critical.filter((c) => c.kind === 2).map((c) => c.position.toArray());
+    return tips.sort((a, b) => b[2] - a[2])[0];
+  });
+  await studio.clickOn(tip);
+  await studio.after(() => studio.page.keyboard.press("Delete"));
+  await studio.tool("select");
+  await studio.page.waitForSelector(limb, { timeout: 60000 });
+  assert.match(await studio.page.locator(limb).first().innerText(), /add extremum/);
+  assert.ok((await studio.page.locator(limb).first().innerText()).length > 30);
+});
+
+test("the pointer on a hint shows where it is", async () => {
+  const marks = () => studio.page.evaluate(() => window.studio.viewport.scene.children.filter((o) => o.isGroup).flatMap((g) => g.children).filter((o) => o.isPoints && o.renderOrder === 11).length);
+  assert.equal(await marks(), 0);
+  await studio.page.hover(limb);
+  assert.equal(await marks(), 1);
+  await studio.page.locator(".hint-row button").nth(1).click();
+  await studio.page.waitForTimeout(500);
+  await studio.picture("hint");
+});
+
+test("a click applies a hint, and the list follows", async () => {
+  const before = await studio.state();
+  const reasons = await studio.page.locator(limb).allInnerTexts();
+  const state = await studio.after(() => studio.page.locator(limb).first().click());
+  assert.equal(state.facts.extrema.length, before.facts.extrema.length + 1);
+  assert.equal(state.certificate.passed, true);
+  await studio.page.waitForFunction(() => !document.querySelector("#find-hints") && !/Looking/.test(document.querySelector(".hint-list").textContent));
+  assert.notDeepEqual(await studio.page.locator(limb).allInnerTexts(), reasons);
+});
+
+test("the page reported no errors", () => assert.deepEqual(studio.errors, []));
