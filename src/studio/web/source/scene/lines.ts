@@ -19,6 +19,9 @@ export class Lines {
       opacity: options.opacity ?? 1,
       depthTest: !(options.hidden ?? false),
       depthWrite: false,
+      polygonOffset: true, // before the surface that they lie on
+      polygonOffsetFactor: -2,
+      polygonOffsetUnits: -4,
     });
     this.object = new LineSegments2(new LineSegmentsGeometry(), this.material);
     this.object.frustumCulled = false;

@@ -13,7 +13,7 @@ export interface Hit {
 
 const hidden = -2; // the chart of a face that is drawn in pieces
 
-const mostDraped = 4000, drapePieces = 4;
+const mostDraped = 4000, drapePieces = 7;
 
 interface Cuts {
   position: Float32Array;
