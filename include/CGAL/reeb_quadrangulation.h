@@ -36,6 +36,8 @@
 #include <CGAL/Reeb_quadrangulation/Texture_place.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 #include <CGAL/Reeb_quadrangulation/Vertex_order.h>
+#include <CGAL/Reeb_quadrangulation/adapt_quads.h>
+#include <CGAL/Reeb_quadrangulation/base_domain.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/constrained_field.h>
@@ -49,6 +51,7 @@
 #include <CGAL/Reeb_quadrangulation/parameters.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
+#include <CGAL/Reeb_quadrangulation/polygon_mesh.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>

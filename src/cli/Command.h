@@ -44,6 +44,7 @@ struct Command_line {
   boost::program_options::variables_map values;
 };
 
+Exit_code execute_polygons(const Arguments& arguments);
 Exit_code execute_run(const Arguments& arguments);
 Exit_code execute_check(const Arguments& arguments);
 Exit_code execute_replay(const Arguments& arguments);
@@ -51,6 +52,7 @@ Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_shape(const Arguments& arguments);
 Exit_code execute_suggest(const Arguments& arguments);
 Exit_code execute_studio(const Arguments& arguments);
+Exit_code execute_texture(const Arguments& arguments);
 Exit_code execute_version(const Arguments& arguments);
 
 } // namespace reebquad

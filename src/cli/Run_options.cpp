@@ -90,9 +90,11 @@ void declare(Command_line& line) {
   line.options.add_options() //
       ("output,o", value<std::string>("FILE"),
        "the quad mesh: OBJ, OFF, PLY or VTK by its extension "
-       "(STL and GLB hold triangles)")                                                                 //
-      ("quads", value<int>("N")->default_value(3000), "about how many quads")                          //
-      ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads")        //
+       "(STL and GLB hold triangles)")                                                          //
+      ("quads", value<int>("N")->default_value(3000), "about how many quads")                   //
+      ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads") //
+      ("adaptive", value<int>("RATIO")->implicit_value(2),
+       "finer quads where the surface bends: up to RATIO times, 2 (if not given), 4 or 8")             //
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
       ("html", value<std::string>("FILE"), "write a report with an interactive view as one HTML file") //
       ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                   //
@@ -135,6 +137,11 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
     pipeline.edge_length = line.values["edge-length"].as<double>();
     if (!(pipeline.edge_length > 0) || !std::isfinite(pipeline.edge_length))
       throw Usage_error("--edge-length is a positive length");
+  }
+  if (line.has("adaptive")) {
+    const int ratio = pipeline.adaptive.ratio = line.values["adaptive"].as<int>();
+    if (ratio != 2 && ratio != 4 && ratio != 8)
+      throw Usage_error("--adaptive is 2, 4 or 8; it got " + std::to_string(ratio));
   }
   pipeline.extrema = placed_extrema(line);
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));

@@ -19,6 +19,8 @@ constexpr std::array commands{
     Command{"check", "tell what is wrong with a triangle mesh, and what can be mended", execute_check},
     Command{"replay", "design a quad mesh by the edits of a recipe", execute_replay},
     Command{"suggest", "list edits that are worth while, with a reason each, or take them", execute_suggest},
+    Command{"texture", "edit patches of a quad mesh of any origin", execute_texture},
+    Command{"polygons", "turn quads into hexagons or other polygons", execute_polygons},
     Command{"stats", "certify and measure a quad mesh of any origin", execute_stats},
     Command{"studio", "design a quad mesh in the browser", execute_studio},
     Command{"shape", "write a built-in triangle surface", execute_shape},

@@ -5,6 +5,8 @@
 
 #include "io_writers.h"
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Geometry>
 
 #include <charconv>
@@ -179,7 +181,22 @@ std::vector<Triangle> triangles_of(const Polygon_soup& mesh) {
   return triangles;
 }
 
-Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, bool ascii) {
+namespace {
+
+// After the first line of OFF, the second of PLY, before all of OBJ.
+void add_comment(std::string& bytes, Mesh_format format, const std::string& comment) {
+  if (comment.empty()) return;
+  if (format == Mesh_format::obj) bytes.insert(0, "# " + comment + "\n");
+  if (format == Mesh_format::off) bytes.insert(bytes.find('\n') + 1, "# " + comment + "\n");
+  if (format == Mesh_format::ply)
+    bytes.insert(bytes.find('\n', bytes.find('\n') + 1) + 1, "comment " + comment + "\n");
+}
+
+} // namespace
+
+Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, bool ascii,
+                                 const std::string& comment) {
+  CGAL_precondition(comment.find_first_of("\r\n") == std::string::npos);
   const bool only_triangles = format == Mesh_format::stl || format == Mesh_format::glb;
   if (Result<void> good = check_coordinates(mesh, only_triangles && !ascii); !good) return good.error();
   if (format == Mesh_format::glb && 12 * (mesh.points.size() + mesh.corner.size()) > 0xffff0000u)
@@ -197,6 +214,7 @@ Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, b
     return make_error(Error_code::unsupported_format,
                       "The name does not tell the format: use .obj, .off, .ply, .vtk, .stl or .glb.");
   }
+  add_comment(encoded.bytes, format, comment);
   int larger = 0;
   for (int p = 0; p < mesh.number_of_polygons(); ++p) larger += mesh.size_of_polygon(p) > 3;
   if (only_triangles && larger > 0)
@@ -209,7 +227,7 @@ Result<std::vector<std::string>> write_mesh(const std::string& path, const Polyg
                                             const Write_options& options) {
   const Mesh_format format =
       options.format == Mesh_format::automatic ? format_of_extension(path) : options.format;
-  Result<Encoded_mesh> encoded = encode_mesh(mesh, format, options.ascii);
+  Result<Encoded_mesh> encoded = encode_mesh(mesh, format, options.ascii, options.comment);
   if (!encoded) {
     Error error = encoded.error();
     error.message = "Cannot write '" + path + "': " + error.message;

@@ -367,7 +367,7 @@ private:
     const Layout_sampling_problem layout = sampling_problem(m_result.layout, m_result.chart_height);
     Result<Sampling> sampling = m_options.edge_length > 0
                                     ? sample_for_edge_length(layout.problem, m_options.edge_length)
-                                    : sample_for_quads(layout.problem, m_options.quads);
+                                    : sample_for_quads(layout.problem, base_quads());
     if (!sampling) return sampling.error();
     m_result.sampling = std::move(*sampling);
     m_samples.counts.assign(m_result.layout.network.edges.size(), 0);
@@ -416,8 +416,35 @@ private:
     return {};
   }
 
+  // The number of quads before some are subdivided.
+  int base_quads() const {
+    return std::max(1, int(std::lround(m_options.quads / growth(m_options.adaptive))));
+  }
+
   Result<void> relax() {
-    if (!m_options.relax) return {};
+    if (m_options.relax)
+      if (Result<void> finished = finish(); !finished) return finished;
+    if (m_options.adaptive.ratio == 1) return {};
+    if (Result<void> adapted = adapt(); !adapted) return adapted;
+    return m_options.relax ? finish() : Result<void>();
+  }
+
+  Result<void> adapt() {
+    Result<Adapted_quads> adapted =
+        adapt_quads(m_result.mesh, Surface_projector(m_input), m_options.adaptive);
+    if (!adapted) return adapted.error();
+    m_result.mesh = std::move(adapted->mesh);
+    std::vector<int> chart;
+    for (int parent : adapted->parent) chart.push_back(m_result.chart_of_quad[parent]);
+    m_result.chart_of_quad = std::move(chart);
+    for (const auto& [valence, number] : adapted->valence_changes)
+      if ((m_result.valences[valence] += number) == 0) m_result.valences.erase(valence);
+    m_result.subdivided_quads = adapted->subdivided;
+    m_result.t_junctions = adapted->t_junctions;
+    return {};
+  }
+
+  Result<void> finish() {
     Relax_options options = m_options.relaxation;
     options.threads = m_threads;
     Snap_options features = m_options.features;

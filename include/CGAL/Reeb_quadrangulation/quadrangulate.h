@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/adapt_quads.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
@@ -48,6 +49,9 @@ struct Quadrangulation_options {
   Relax_options relaxation;
   bool keep_features = true; ///< move vertices onto sharp edges and corners; needs `relax`
   Snap_options features;
+  /// With a ratio above 1: quads are subdivided where the surface bends, or where a size field asks for it, after they were
+  /// relaxed, and relaxed again. `quads` is then still their number in the end, about; `edge_length` that of the coarsest.
+  Adaptive_options adaptive{1};
   int threads = 0; ///< charts solved at once; 0 = as many as the machine has. Results do not depend on it
 };
 
@@ -71,6 +75,8 @@ struct Quadrangulation {
   Sampling sampling;
   Relax_report relaxation;
   Snap_report features;
+  int subdivided_quads = 0; ///< by `Quadrangulation_options::adaptive`
+  int t_junctions = 0;      ///< between these and the others, all resolved
   Prepare_report preparation;
   int collapsed_charts = 0;         ///< thin charts that were removed by aligning their saddles
   std::vector<double> chart_height; ///< mean, per chart; 0 for discs

@@ -14,6 +14,7 @@ namespace Reeb_quadrangulation {
 struct Write_options {
   Mesh_format format = Mesh_format::automatic; ///< `automatic`: by the extension of the file
   bool ascii = false; ///< PLY and STL as text; they are binary (little endian) otherwise
+  std::string comment; ///< one line for people; OBJ, OFF and PLY hold it
 };
 
 /// The bytes of a mesh file, and what its format could not hold.
@@ -27,8 +28,10 @@ struct Encoded_mesh {
 /// precision (ascii STL: double): quads are divided at their shorter diagonal, and a warning says so.
 ///
 /// Errors: `unsupported_format` for `Mesh_format::automatic`; `impossible_request` if a coordinate is not finite or
-/// beyond what the format holds. \pre every corner is an index of a point. O(size).
-Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, bool ascii = false);
+/// beyond what the format holds. OBJ, OFF and PLY hold the comment. \pre every corner is an index of a point; the comment is one
+/// line. O(size).
+Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, bool ascii = false,
+                                 const std::string& comment = {});
 
 /// Encodes a mesh and writes it whole or not at all, see `write_file_atomically()`; the warnings of `encode_mesh()`.
 Result<std::vector<std::string>> write_mesh(const std::string& path, const Polygon_soup& mesh,

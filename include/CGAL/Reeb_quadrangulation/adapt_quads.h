@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_ADAPT_QUADS_H
+#define CGAL_REEB_QUADRANGULATION_ADAPT_QUADS_H
+
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/t_junctions.h>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// A mesh in which some quads were subdivided.
+struct Refined_quads {
+  Quad_mesh mesh;          ///< all vertices before keep their numbers and places
+  std::vector<int> parent; ///< per quad: the quad before that it is a part of
+  int t_junctions = 0;     ///< between quads that were subdivided and others
+  /// What subdividing changes in the numbers of inner vertices by valence, predicted from the edges that it adds.
+  std::map<int, int> valence_changes;
+};
+
+/// Splits the quads that are marked into four, at the middles of their edges, and leads from them to the others by
+/// `resolve_t_junctions()`: one-sided subdivision of any region. O(Q log Q) and as `resolve_t_junctions()`.
+/// Fails with `not_a_surface` if the quads are not an oriented manifold mesh. \pre One mark a quad.
+Result<Refined_quads> refine_quads(const Quad_mesh& mesh, const std::vector<char>& marked,
+                                   const T_junction_options& options = {});
+
+/// Where quads shall be how fine.
+struct Adaptive_options {
+  /// How many times finer, in length, the finest quads are than the others: 2, 4 or 8.
+  int ratio = 2;
+  /// By curvature: the part of the quads that is subdivided, in each step from a length to its half.
+  double fraction = 0.2;
+  /// By curvature: quads over which the surface's normal turns less than so many degrees are not subdivided.
+  double flat = 12;
+  /// The length that edges shall have at a point. If given, it decides instead of the curvature: a quad is subdivided
+  /// as long as the mean of its edges is longer by the square root of 2.
+  std::function<double(const Point&)> size = {};
+};
+
+/// How many quads a mesh has after `adapt_quads()` by curvature for each that it has before, about.
+double growth(const Adaptive_options& options);
+
+/// A mesh after `adapt_quads()`.
+struct Adapted_quads {
+  Quad_mesh mesh;
+  std::vector<int> parent; ///< per quad: the quad before that it is a part of
+  std::map<int, int> valence_changes;
+  int subdivided = 0; ///< quads of all steps
+  int t_junctions = 0;
+};
+
+/// Subdivides the quads where the surface bends most within them, or where `size` asks for it, step by step. How much it bends is the
+/// greatest angle between the normals of the surface at nine points of the quad. Regions are smoothed: what lies between
+/// two of their quads goes with them. New vertices are put on the surface; relax the mesh afterwards. Fails with
+/// `impossible_request` if an option is out of range. Time: nine closest-point queries a quad and step.
+Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector& projector,
+                                  const Adaptive_options& options = {});
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_ADAPT_QUADS_H

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// reebquad polygons QUADS -o OUT: writes a quad mesh as hexagons or other polygons.
+#include "Command.h"
+#include "Input.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/polygon_mesh.h>
+
+#include <iostream>
+
+namespace reebquad {
+
+using namespace CGAL::Reeb_quadrangulation;
+namespace po = boost::program_options;
+
+namespace {
+
+Polygon_kind kind_of(const std::string& text) {
+  for (const Polygon_kind kind : {Polygon_kind::hexagons, Polygon_kind::dual, Polygon_kind::diagonal})
+    if (text == name(kind)) return kind;
+  throw Usage_error("--kind is one of hex, dual, diagonal; it got '" + text + "'");
+}
+
+void put_on_surface(Polygon_soup& mesh, const std::string& file) {
+  const Triangle_surface surface = joined(value_or_fail(mend_surface(read_soup(file)), file));
+  const Surface_projector projector(surface);
+  for (Point& p : mesh.points) p = projector.closest(p).point;
+}
+
+} // namespace
+
+Exit_code execute_polygons(const Arguments& arguments) {
+  Command_line line(
+      "polygons QUADS -o OUT [--kind hex|dual|diagonal] [--on INPUT]\n"
+      "The result is not all-quad and has no certificate; OBJ, OFF and PLY files say so in a comment");
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  line.options.add_options()("output,o", text("FILE"), "the polygons")(
+      "kind", text("KIND")->default_value("hex"),
+      "hex: hexagons; dual: a polygon around every vertex; diagonal: a quad for every edge")(
+      "on", text("INPUT"), "put the corners on this triangle surface");
+  line.take("QUADS");
+  if (!line.parse(arguments)) return Exit_code::success;
+  const std::string file = line.required("QUADS"), output = line.required("output");
+  require_writable_format(output);
+  Polygon_soup mesh =
+      value_or_fail(polygon_mesh(quads_of(read_soup(file), file), kind_of(line.text("kind"))), file);
+  if (line.has("on")) put_on_surface(mesh, line.text("on"));
+  Write_options options;
+  options.comment = "not all-quad:";
+  for (const auto& [sides, number] : polygon_sizes(mesh))
+    options.comment += " " + std::to_string(number) + " of " + std::to_string(sides) + " sides";
+  for (const std::string& warning : value_or_fail(write_mesh(output, mesh, options), output))
+    std::cerr << "reebquad: " << output << ": " << warning << '\n';
+  std::cout << output << ": " << options.comment << '\n';
+  return Exit_code::success;
+}
+
+} // namespace reebquad

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/adapt_quads.h>
+#include <CGAL/Reeb_quadrangulation/internal/quad_connectivity.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+// Numbers of quads at each vertex, negative at boundary vertices.
+std::vector<int> inner_valences(const std::vector<Quad>& quads, const std::vector<int>& opposite,
+                                int vertices) {
+  std::vector<int> valence(vertices, 0);
+  for (const Quad& q : quads)
+    for (int v : q) ++valence[v];
+  for (int h = 0; h < int(opposite.size()); ++h)
+    if (opposite[h] < 0)
+      for (int v : {internal::source(quads, h), internal::target(quads, h)}) valence[v] = -1;
+  return valence;
+}
+
+class Refinement {
+public:
+  Refinement(const Quad_mesh& mesh, const std::vector<char>& marked) : m_mesh(mesh), m_marked(marked) {}
+
+  Result<Refined_quads> run(const T_junction_options& options) {
+    if (const int bad = internal::connect_quads(m_mesh.quads, int(m_mesh.points.size()), m_opposite);
+        bad >= 0)
+      return make_error(Error_code::not_a_surface, "the quads are not an oriented manifold mesh",
+                        Element_kind::face, bad);
+    m_fine.points = m_mesh.points;
+    m_middle.assign(m_opposite.size(), -1);
+    for (int h = 0; h < int(m_opposite.size()); ++h)
+      if (m_marked[h / 4] && m_middle[h] < 0) split(h);
+    for (int q = 0; q < int(m_mesh.quads.size()); ++q) add(q);
+    return resolve(options);
+  }
+
+private:
+  void split(int h) {
+    m_middle[h] = int(m_fine.points.size());
+    if (m_opposite[h] >= 0) m_middle[m_opposite[h]] = m_middle[h];
+    m_fine.points.push_back(0.5 * (m_mesh.points[internal::source(m_mesh.quads, h)] +
+                                   m_mesh.points[internal::target(m_mesh.quads, h)]));
+  }
+
+  void add(int q) {
+    const Quad& quad = m_mesh.quads[q];
+    if (!m_marked[q]) {
+      for (int i = 0; i < 4; ++i)
+        if (m_middle[4 * q + i] >= 0)
+          m_hanging.push_back({int(m_fine.quads.size()), i, {m_middle[4 * q + i]}});
+      m_fine.quads.push_back(quad);
+      m_parent.push_back(q);
+      return;
+    }
+    const int centre = int(m_fine.points.size());
+    m_fine.points.push_back(0.25 * (m_mesh.points[quad[0]] + m_mesh.points[quad[1]] + m_mesh.points[quad[2]] +
+                                    m_mesh.points[quad[3]]));
+    for (int i = 0; i < 4; ++i) {
+      m_fine.quads.push_back({quad[i], m_middle[4 * q + i], centre, m_middle[4 * q + (i + 3) % 4]});
+      m_parent.push_back(q);
+    }
+  }
+
+  Result<Refined_quads> resolve(const T_junction_options& options) {
+    Refined_quads out;
+    out.t_junctions = int(m_hanging.size());
+    std::vector<int> before = inner_valences(m_mesh.quads, m_opposite, int(m_mesh.points.size()));
+    Result<Resolved_mesh> resolved = resolve_t_junctions(m_fine, m_hanging, options);
+    if (!resolved) return resolved.error();
+    out.mesh = std::move(resolved->mesh);
+    for (int parent : resolved->parent) out.parent.push_back(m_parent[parent]);
+    // New vertices: middles of quads and of edges between two that were split have four edges, T-junctions three, before the lines.
+    const int old = int(before.size());
+    before.resize(m_fine.points.size(), 4);
+    for (const Hanging_edge& e : m_hanging) before[e.vertices[0]] = 3;
+    for (int h = 0; h < int(m_opposite.size()); ++h)
+      if (m_opposite[h] < 0 && m_middle[h] >= 0) before[m_middle[h]] = -1;
+    before.resize(out.mesh.points.size(), 0);
+    for (int v : resolved->boundary_vertices) before[v] = -1;
+    for (int v = 0; v < int(before.size()); ++v) {
+      if (before[v] < 0) continue;
+      if (v < old) --out.valence_changes[before[v]];
+      ++out.valence_changes[before[v] + resolved->added_edges[v]];
+    }
+    return out;
+  }
+
+  const Quad_mesh& m_mesh;
+  const std::vector<char>& m_marked;
+  std::vector<int> m_opposite;
+  std::vector<int> m_middle; ///< per halfedge: the vertex in its middle, or -1
+  Quad_mesh m_fine;
+  std::vector<int> m_parent;
+  std::vector<Hanging_edge> m_hanging;
+};
+
+Point inside(const Quad_mesh& mesh, const Quad& q, double s, double t) {
+  return (1 - t) * ((1 - s) * mesh.points[q[0]] + s * mesh.points[q[1]]) +
+         t * ((1 - s) * mesh.points[q[3]] + s * mesh.points[q[2]]);
+}
+
+// The greatest angle between the surface's normals at nine points of the quad, which do not include the corners: so that the faces of
+// a sharp edge are seen by the quads that it crosses or bounds alike.
+double turn(const Quad_mesh& mesh, const Quad& q, const Surface_projector& projector, int& hint) {
+  std::array<Point, 9> normals;
+  for (int i = 0; i < 9; ++i) {
+    const Closest_point found =
+        projector.closest(inside(mesh, q, 0.1 + 0.4 * (i % 3), 0.1 + 0.4 * (i / 3)), hint);
+    hint = found.face;
+    normals[i] = projector.normal(found.face);
+  }
+  double least = 1; // cosine
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < i; ++j) least = std::min(least, normals[i].dot(normals[j]));
+  return std::acos(std::max(-1.0, least));
+}
+
+std::vector<char> bent_quads(const Quad_mesh& mesh, const Surface_projector& projector,
+                             const Adaptive_options& options, const std::vector<char>& candidates) {
+  std::vector<std::pair<double, int>> order;
+  int hint = -1;
+  for (int q = 0; q < int(mesh.quads.size()); ++q)
+    if (candidates[q]) order.push_back({-turn(mesh, mesh.quads[q], projector, hint), q});
+  std::sort(order.begin(), order.end());
+  const double pi = std::acos(-1.0);
+  std::vector<char> marked(mesh.quads.size(), 0);
+  for (std::size_t i = 0; i < order.size() && double(i) < options.fraction * double(order.size()); ++i)
+    if (-order[i].first >= options.flat * pi / 180) marked[order[i].second] = 1;
+  return marked;
+}
+
+std::vector<char> large_quads(const Quad_mesh& mesh, const Adaptive_options& options) {
+  std::vector<char> marked;
+  for (const Quad& q : mesh.quads) {
+    double length = 0;
+    for (int i = 0; i < 4; ++i) length += 0.25 * (mesh.points[q[(i + 1) % 4]] - mesh.points[q[i]]).norm();
+    marked.push_back(length > std::sqrt(2.0) * options.size(inside(mesh, q, 0.5, 0.5)));
+  }
+  return marked;
+}
+
+// Marks quads between two that are marked, and lets single ones go: each corner of a region's border costs extraordinary vertices.
+void smooth(const std::vector<Quad>& quads, int vertices, std::vector<char>& marked) {
+  std::vector<int> opposite;
+  internal::connect_quads(quads, vertices, opposite);
+  const auto count = [&](int q) {
+    int n = 0;
+    for (int h = 4 * q; h < 4 * q + 4; ++h) n += opposite[h] >= 0 && marked[opposite[h] / 4];
+    return n;
+  };
+  for (int round = 0; round < 3; ++round) {
+    std::vector<char> next = marked;
+    for (int q = 0; q < int(quads.size()); ++q)
+      if (!marked[q] && count(q) >= 2) next[q] = 1;
+    marked = next;
+  }
+  std::vector<char> next = marked;
+  for (int q = 0; q < int(quads.size()); ++q)
+    if (marked[q] && count(q) == 0) next[q] = 0;
+  marked = next;
+}
+
+} // namespace
+
+Result<Refined_quads> refine_quads(const Quad_mesh& mesh, const std::vector<char>& marked,
+                                   const T_junction_options& options) {
+  CGAL_precondition(marked.size() == mesh.quads.size());
+  return Refinement(mesh, marked).run(options);
+}
+
+double growth(const Adaptive_options& options) {
+  // Smoothing the regions and the quads that lead out of them add to the fraction: about a half of it, as measured on many shapes.
+  double quads = 1, candidates = 1;
+  for (int step = 2; step <= options.ratio; step *= 2) {
+    quads += 3 * 1.5 * options.fraction * candidates;
+    candidates *= 4 * 1.5 * options.fraction;
+  }
+  return quads;
+}
+
+Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector& projector,
+                                  const Adaptive_options& options) {
+  if (options.ratio != 1 && options.ratio != 2 && options.ratio != 4 && options.ratio != 8)
+    return make_error(Error_code::impossible_request, "the ratio of an adaptive mesh is 1, 2, 4 or 8");
+  if (!(options.fraction >= 0 && options.fraction <= 1) || !(options.flat >= 0))
+    return make_error(Error_code::impossible_request,
+                      "the fraction of quads to subdivide is not in [0, 1], or an angle is negative");
+  Adapted_quads out{mesh, std::vector<int>(mesh.quads.size()), {}, 0, 0};
+  for (std::size_t q = 0; q < out.parent.size(); ++q) out.parent[q] = int(q);
+  std::vector<char> candidates(mesh.quads.size(), 1);
+  for (int step = 2; step <= options.ratio; step *= 2) {
+    std::vector<char> marked =
+        options.size ? large_quads(out.mesh, options) : bent_quads(out.mesh, projector, options, candidates);
+    smooth(out.mesh.quads, int(out.mesh.points.size()), marked);
+    Result<Refined_quads> refined = refine_quads(out.mesh, marked);
+    if (!refined) return refined.error();
+    for (std::size_t v = out.mesh.points.size(); v < refined->mesh.points.size(); ++v)
+      refined->mesh.points[v] = projector.closest(refined->mesh.points[v]).point;
+    std::vector<int> parent;
+    candidates.clear();
+    for (int p : refined->parent) {
+      parent.push_back(out.parent[p]);
+      candidates.push_back(marked[p]);
+    }
+    out.parent = std::move(parent);
+    out.mesh = std::move(refined->mesh);
+    out.t_junctions += refined->t_junctions;
+    out.subdivided += int(std::count(marked.begin(), marked.end(), 1));
+    for (const auto& [valence, number] : refined->valence_changes) out.valence_changes[valence] += number;
+  }
+  return out;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
