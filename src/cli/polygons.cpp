@@ -5,7 +5,9 @@
 
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/picture_scene.h>
 #include <CGAL/Reeb_quadrangulation/polygon_mesh.h>
+#include <CGAL/Reeb_quadrangulation/render.h>
 
 #include <iostream>
 
@@ -28,6 +30,22 @@ void put_on_surface(Polygon_soup& mesh, const std::string& file) {
   for (Point& p : mesh.points) p = projector.closest(p).point;
 }
 
+// Polygons as fans of triangles, without the sides inside; those of fewer sides than `regular` in green, of more in blue.
+Scene polygon_scene(const Polygon_soup& mesh, int regular) {
+  Scene scene;
+  scene.points = mesh.points;
+  for (int p = 0; p < mesh.number_of_polygons(); ++p) {
+    const int n = mesh.size_of_polygon(p), *corner = mesh.corner.data() + mesh.begin[p];
+    for (int i = 1; i + 1 < n; ++i) {
+      scene.faces.push_back({corner[0], corner[i], corner[i + 1], -1});
+      scene.drawn_sides.push_back(static_cast<unsigned char>((i == 1 ? 1 : 0) | 2 | (i + 2 == n ? 4 : 0)));
+      scene.face_colours.push_back(n == regular ? scene.surface_colour : valence_colour(n < regular ? 3 : 5));
+    }
+  }
+  shade_smoothly(scene);
+  return scene;
+}
+
 } // namespace
 
 Exit_code execute_polygons(const Arguments& arguments) {
@@ -38,13 +56,14 @@ Exit_code execute_polygons(const Arguments& arguments) {
   line.options.add_options()("output,o", text("FILE"), "the polygons")(
       "kind", text("KIND")->default_value("hex"),
       "hex: hexagons; dual: a polygon around every vertex; diagonal: a quad for every edge")(
-      "on", text("INPUT"), "put the corners on this triangle surface");
+      "on", text("INPUT"), "put the corners on this triangle surface")("picture", text("FILE"),
+                                                                       "draw the polygons as PNG");
   line.take("QUADS");
   if (!line.parse(arguments)) return Exit_code::success;
   const std::string file = line.required("QUADS"), output = line.required("output");
   require_writable_format(output);
-  Polygon_soup mesh =
-      value_or_fail(polygon_mesh(quads_of(read_soup(file), file), kind_of(line.text("kind"))), file);
+  const Polygon_kind kind = kind_of(line.text("kind"));
+  Polygon_soup mesh = value_or_fail(polygon_mesh(quads_of(read_soup(file), file), kind), file);
   if (line.has("on")) put_on_surface(mesh, line.text("on"));
   Write_options options;
   options.comment = "not all-quad:";
@@ -52,6 +71,11 @@ Exit_code execute_polygons(const Arguments& arguments) {
     options.comment += " " + std::to_string(number) + " of " + std::to_string(sides) + " sides";
   for (const std::string& warning : value_or_fail(write_mesh(output, mesh, options), output))
     std::cerr << "reebquad: " << output << ": " << warning << '\n';
+  if (line.has("picture")) {
+    const Scene scene = polygon_scene(mesh, kind == Polygon_kind::hexagons ? 6 : 4);
+    succeed_or_fail(write_png(render(scene, camera(View::three_quarter), 1000, 800), line.text("picture")),
+                    line.text("picture"));
+  }
   std::cout << output << ": " << options.comment << '\n';
   return Exit_code::success;
 }

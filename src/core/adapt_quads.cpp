@@ -123,20 +123,6 @@ double turn(const Quad_mesh& mesh, const Quad& q, const Surface_projector& proje
   return std::acos(std::max(-1.0, least));
 }
 
-std::vector<char> bent_quads(const Quad_mesh& mesh, const Surface_projector& projector,
-                             const Adaptive_options& options, const std::vector<char>& candidates) {
-  std::vector<std::pair<double, int>> order;
-  int hint = -1;
-  for (int q = 0; q < int(mesh.quads.size()); ++q)
-    if (candidates[q]) order.push_back({-turn(mesh, mesh.quads[q], projector, hint), q});
-  std::sort(order.begin(), order.end());
-  const double pi = std::acos(-1.0);
-  std::vector<char> marked(mesh.quads.size(), 0);
-  for (std::size_t i = 0; i < order.size() && double(i) < options.fraction * double(order.size()); ++i)
-    if (-order[i].first >= options.flat * pi / 180) marked[order[i].second] = 1;
-  return marked;
-}
-
 std::vector<char> large_quads(const Quad_mesh& mesh, const Adaptive_options& options) {
   std::vector<char> marked;
   for (const Quad& q : mesh.quads) {
@@ -147,25 +133,76 @@ std::vector<char> large_quads(const Quad_mesh& mesh, const Adaptive_options& opt
   return marked;
 }
 
-// Marks quads between two that are marked, and lets single ones go: each corner of a region's border costs extraordinary vertices.
-void smooth(const std::vector<Quad>& quads, int vertices, std::vector<char>& marked) {
-  std::vector<int> opposite;
-  internal::connect_quads(quads, vertices, opposite);
-  const auto count = [&](int q) {
-    int n = 0;
-    for (int h = 4 * q; h < 4 * q + 4; ++h) n += opposite[h] >= 0 && marked[opposite[h] / 4];
-    return n;
-  };
-  for (int round = 0; round < 3; ++round) {
-    std::vector<char> next = marked;
-    for (int q = 0; q < int(quads.size()); ++q)
-      if (!marked[q] && count(q) >= 2) next[q] = 1;
-    marked = next;
+// Which quads are subdivided together.
+class Regions {
+public:
+  explicit Regions(const Quad_mesh& mesh) : m_quads(mesh.quads) {
+    internal::connect_quads(mesh.quads, int(mesh.points.size()), m_opposite);
   }
-  std::vector<char> next = marked;
-  for (int q = 0; q < int(quads.size()); ++q)
-    if (marked[q] && count(q) == 0) next[q] = 0;
-  marked = next;
+
+  // Marks quads between marked ones, and lets single ones go: each corner of a region's border costs extraordinary vertices.
+  std::vector<char> smoothed(std::vector<char> marked) const {
+    for (const int enough : {2, 3, 3}) {
+      std::vector<char> next = marked;
+      for (int q = 0; q < int(m_quads.size()); ++q) {
+        const bool opposite = (is_marked(marked, 4 * q) && is_marked(marked, 4 * q + 2)) ||
+                              (is_marked(marked, 4 * q + 1) && is_marked(marked, 4 * q + 3));
+        next[q] = marked[q] || opposite || neighbours(marked, q) >= enough;
+      }
+      marked = next;
+    }
+    std::vector<char> next = marked;
+    for (int q = 0; q < int(m_quads.size()); ++q) next[q] = marked[q] && neighbours(marked, q) > 0;
+    return next;
+  }
+
+  // About how many quads there are if these are subdivided: three more for each, and two where a T-junction is resolved.
+  double quads_after(const std::vector<char>& marked) const {
+    double more = 0;
+    for (int q = 0; q < int(m_quads.size()); ++q)
+      if (marked[q]) more += 3 + 2 * (4 - neighbours(marked, q));
+    return double(m_quads.size()) + more;
+  }
+
+private:
+  bool is_marked(const std::vector<char>& marked, int h) const {
+    return m_opposite[h] >= 0 && marked[m_opposite[h] / 4];
+  }
+  int neighbours(const std::vector<char>& marked, int q) const {
+    int n = 0;
+    for (int h = 4 * q; h < 4 * q + 4; ++h) n += is_marked(marked, h);
+    return n;
+  }
+
+  const std::vector<Quad>& m_quads;
+  std::vector<int> m_opposite;
+};
+
+// The candidates that bend most: as many as give the number of quads.
+std::vector<char> bent_quads(const Quad_mesh& mesh, const Surface_projector& projector, double flat,
+                             const std::vector<char>& candidates, const Regions& regions, double quads) {
+  std::vector<std::pair<double, int>> order;
+  int hint = -1;
+  const double least = flat * std::acos(-1.0) / 180;
+  for (int q = 0; q < int(mesh.quads.size()); ++q)
+    if (candidates[q])
+      if (const double angle = turn(mesh, mesh.quads[q], projector, hint); angle >= least)
+        order.push_back({-angle, q});
+  std::sort(order.begin(), order.end());
+  const auto first = [&](std::size_t n) {
+    std::vector<char> marked(mesh.quads.size(), 0);
+    for (std::size_t i = 0; i < n; ++i) marked[order[i].second] = 1;
+    return regions.smoothed(std::move(marked));
+  };
+  std::size_t low = 0, high = order.size();
+  while (low < high) {
+    const std::size_t middle = (low + high + 1) / 2;
+    if (regions.quads_after(first(middle)) <= quads)
+      low = middle;
+    else
+      high = middle - 1;
+  }
+  return first(low);
 }
 
 } // namespace
@@ -176,30 +213,25 @@ Result<Refined_quads> refine_quads(const Quad_mesh& mesh, const std::vector<char
   return Refinement(mesh, marked).run(options);
 }
 
-double growth(const Adaptive_options& options) {
-  // Smoothing the regions and the quads that lead out of them add to the fraction: about a half of it, as measured on many shapes.
-  double quads = 1, candidates = 1;
-  for (int step = 2; step <= options.ratio; step *= 2) {
-    quads += 3 * 1.5 * options.fraction * candidates;
-    candidates *= 4 * 1.5 * options.fraction;
-  }
-  return quads;
-}
-
 Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector& projector,
                                   const Adaptive_options& options) {
   if (options.ratio != 1 && options.ratio != 2 && options.ratio != 4 && options.ratio != 8)
     return make_error(Error_code::impossible_request, "the ratio of an adaptive mesh is 1, 2, 4 or 8");
-  if (!(options.fraction >= 0 && options.fraction <= 1) || !(options.flat >= 0))
-    return make_error(Error_code::impossible_request,
-                      "the fraction of quads to subdivide is not in [0, 1], or an angle is negative");
+  if (options.quads < 0 || !(options.flat >= 0))
+    return make_error(Error_code::impossible_request, "a number of quads or an angle is negative");
+  double quads = double(mesh.quads.size());
+  const double factor = options.quads == 0 ? 2
+                                           : std::pow(options.quads / std::max(1.0, quads),
+                                                      1 / std::log2(double(options.ratio)));
   Adapted_quads out{mesh, std::vector<int>(mesh.quads.size()), {}, 0, 0};
   for (std::size_t q = 0; q < out.parent.size(); ++q) out.parent[q] = int(q);
   std::vector<char> candidates(mesh.quads.size(), 1);
   for (int step = 2; step <= options.ratio; step *= 2) {
-    std::vector<char> marked =
-        options.size ? large_quads(out.mesh, options) : bent_quads(out.mesh, projector, options, candidates);
-    smooth(out.mesh.quads, int(out.mesh.points.size()), marked);
+    const Regions regions(out.mesh);
+    quads *= factor;
+    const std::vector<char> marked =
+        options.size ? regions.smoothed(large_quads(out.mesh, options))
+                     : bent_quads(out.mesh, projector, options.flat, candidates, regions, quads);
     Result<Refined_quads> refined = refine_quads(out.mesh, marked);
     if (!refined) return refined.error();
     for (std::size_t v = out.mesh.points.size(); v < refined->mesh.points.size(); ++v)

@@ -416,10 +416,8 @@ private:
     return {};
   }
 
-  // The number of quads before some are subdivided.
-  int base_quads() const {
-    return std::max(1, int(std::lround(m_options.quads / growth(m_options.adaptive))));
-  }
+  // The number of quads before some are subdivided: each step doubles it.
+  int base_quads() const { return std::max(1, m_options.quads / m_options.adaptive.ratio); }
 
   Result<void> relax() {
     if (m_options.relax)
@@ -430,8 +428,9 @@ private:
   }
 
   Result<void> adapt() {
-    Result<Adapted_quads> adapted =
-        adapt_quads(m_result.mesh, Surface_projector(m_input), m_options.adaptive);
+    Adaptive_options options = m_options.adaptive;
+    if (options.quads == 0 && m_options.edge_length <= 0) options.quads = m_options.quads;
+    Result<Adapted_quads> adapted = adapt_quads(m_result.mesh, Surface_projector(m_input), options);
     if (!adapted) return adapted.error();
     m_result.mesh = std::move(adapted->mesh);
     std::vector<int> chart;

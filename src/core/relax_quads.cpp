@@ -154,15 +154,26 @@ Quality measure(const Quad_mesh& mesh) {
   return result;
 }
 
+// Steps may make a quad worse down to a quality that is good enough, and in the first half of the sweeps to a lower one; but never
+// worse than the worst quad of all was.
+relaxation::Sweep sweep(bool early, double worst) {
+  return {std::max(early ? 0.2 : 0.5, worst), early, nullptr};
+}
+
+// Inverted quads count most. Where there are none, neither the worst quad nor the mean may get worse.
+bool is_worse(const Quality& after, const Quality& before) {
+  if (after.inverted != before.inverted) return after.inverted > before.inverted;
+  return after.mean < before.mean || (before.inverted == 0 && after.worst < before.worst);
+}
+
 // More sweeps where the quads are nearly, but not yet, good on average. False if cancelled.
-bool relax_further(State& state, int most, Observer* observer) {
+bool relax_further(State& state, int most, double worst, Observer* observer) {
   if (measure(state.mesh).mean < hopeful_mean) return true;
   for (int i = 0; i < most; ++i) {
     if (observer && observer->cancelled()) return false;
     if (observer) observer->progress("relax further", double(i) / most);
     if (i % between_measures == 0 && measure(state.mesh).mean >= good_mean) break;
-    const bool early = i < most / 2;
-    if (relaxation::smooth(state, {}, {early ? 0.2 : 0.5, early, nullptr}) == 0) break;
+    if (relaxation::smooth(state, {}, sweep(i < most / 2, worst)) == 0) break;
   }
   return true;
 }
@@ -199,14 +210,14 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   State state(mesh, input, projector, fixed, options.threads);
   report.boundary_vertices = relaxation::bind_boundary(state);
   const State::Snapshot placed = state.snapshot();
+  const Quality on_surface = measure(mesh);
   for (int i = 0; i < options.iterations; ++i) {
     if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
     if (observer) observer->progress("relax", double(i) / options.iterations);
     // The first sweeps may pass through worse quads than the last ones.
-    const bool early = i < options.iterations / 2;
-    if (relaxation::smooth(state, {}, {early ? 0.2 : 0.5, early, nullptr}) == 0) break;
+    if (relaxation::smooth(state, {}, sweep(i < options.iterations / 2, on_surface.worst)) == 0) break;
   }
-  if (options.iterations > 0 && !relax_further(state, options.more_iterations, observer)) {
+  if (options.iterations > 0 && !relax_further(state, options.more_iterations, on_surface.worst, observer)) {
     mesh.points = original;
     return make_error(Error_code::cancelled, "stopped while relaxing");
   }
@@ -217,9 +228,13 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
 
   Quality after = measure(mesh);
-  if (after.inverted > before.inverted) {
-    mesh.points = original;
-    after = before;
+  if (is_worse(after, on_surface)) {
+    for (int v = 0; v < state.number_of_vertices(); ++v) state.restore(placed, v);
+    after = on_surface;
+    if (before.inverted < on_surface.inverted) {
+      mesh.points = original;
+      after = before;
+    }
     report.intersections_after = int(relaxation::intersecting_quads(mesh).size());
   }
   report.worst_before = before.worst;

@@ -11,6 +11,17 @@ file(MAKE_DIRECTORY ${OUT})
 run(shape hand -o ${OUT}/hand.obj --triangles 12000)
 run(run ${OUT}/hand.obj -o ${OUT}/hand_quads.obj --quads 2500 --pictures ${OUT} --quiet)
 
+# Textures on the quads of another mesh, quads that follow the curvature, other polygons.
+run(run ${OUT}/hand.obj -o ${OUT}/hand_coarse.obj --quads 600 --quiet)
+run(texture ${OUT}/hand_coarse.obj --on ${OUT}/hand.obj -o ${OUT}/hand_edited.obj --pictures ${OUT}/base
+  --op "subdivide_texture 0,0,1" --quiet)
+run(run ${OUT}/hand.obj -o ${OUT}/hand_adaptive.obj --quads 2500 --adaptive --pictures ${OUT}/adaptive --quiet)
+run(polygons ${OUT}/hand_coarse.obj -o ${OUT}/hand_hex.obj --on ${OUT}/hand.obj --picture ${OUT}/hexagons.png)
+foreach(picture base/patches base/quads adaptive/quads)
+  string(REPLACE "/" "_" name ${picture})
+  file(RENAME ${OUT}/${picture}.png ${OUT}/${name}.png)
+endforeach()
+
 set(figure_dir ${CMAKE_CURRENT_LIST_DIR})
 # Each recipe in fig/edits is one edit before (all but its last edit) and after.
 function(edit_figures shape triangles)

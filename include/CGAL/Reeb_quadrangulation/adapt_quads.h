@@ -31,17 +31,15 @@ Result<Refined_quads> refine_quads(const Quad_mesh& mesh, const std::vector<char
 struct Adaptive_options {
   /// How many times finer, in length, the finest quads are than the others: 2, 4 or 8.
   int ratio = 2;
-  /// By curvature: the part of the quads that is subdivided, in each step from a length to its half.
-  double fraction = 0.2;
+  /// By curvature: about so many quads there shall be in the end; 0: twice as many as before for each step from a length to its
+  /// half.
+  int quads = 0;
   /// By curvature: quads over which the surface's normal turns less than so many degrees are not subdivided.
   double flat = 12;
   /// The length that edges shall have at a point. If given, it decides instead of the curvature: a quad is subdivided
   /// as long as the mean of its edges is longer by the square root of 2.
   std::function<double(const Point&)> size = {};
 };
-
-/// How many quads a mesh has after `adapt_quads()` by curvature for each that it has before, about.
-double growth(const Adaptive_options& options);
 
 /// A mesh after `adapt_quads()`.
 struct Adapted_quads {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Relaxing never makes a mesh worse, whatever it is given.
+#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+#include <CGAL/Reeb_quadrangulation/shapes.h>
+#include <CGAL/Reeb_quadrangulation/surface_check.h>
+
+#include "tiny_quads.h"
+#include "tiny_surfaces.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+using namespace CGAL::Reeb_quadrangulation;
+
+namespace {
+
+/// Moves every vertex by up to `amount` in each coordinate, and back to the surface.
+void shake(Quad_mesh& mesh, const Surface_projector& projector, double amount, tiny::Random& random) {
+  for (Point& p : mesh.points) {
+    const double x = random.unit(), y = random.unit(), z = random.unit();
+    p = projector.closest(p + amount * (2 * Point(x, y, z) - Point(1, 1, 1))).point;
+  }
+}
+
+/// Relaxes with every sixth vertex held; the held ones keep their bits, and the measures do not fall.
+void check_relaxing(Quad_mesh mesh, const Triangle_surface& s, bool anchors) {
+  std::vector<char> fixed(mesh.points.size(), 0);
+  for (std::size_t v = 0; anchors && v < fixed.size(); v += 6) fixed[v] = 1;
+  const std::vector<Point> points = mesh.points;
+  const Mesh_statistics before = quad_statistics(mesh);
+  const auto report = relax_quads(mesh, s, Surface_projector(s), fixed);
+  REQUIRE(report);
+  const Mesh_statistics after = quad_statistics(mesh);
+  CHECK(after.inverted_quads <= before.inverted_quads);
+  if (after.inverted_quads == before.inverted_quads)
+    CHECK(after.scaled_jacobian.mean >= before.scaled_jacobian.mean - 1e-9);
+  if (before.inverted_quads == 0)
+    CHECK(after.scaled_jacobian.minimum >= before.scaled_jacobian.minimum - 1e-9);
+  CHECK(report->inverted_after == after.inverted_quads);
+  CHECK(report->mean_after == Approx(after.scaled_jacobian.mean));
+  CHECK(report->worst_after == Approx(after.scaled_jacobian.minimum));
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+    if (fixed[v]) CHECK(mesh.points[v] == points[v]);
+}
+
+} // namespace
+
+TEST_CASE("shaken a little or a lot, with anchors or without: the worst quad and the mean never get worse") {
+  tiny::Random random(17);
+  for (const auto& [name, quads, size] :
+       {std::tuple("torus", tiny::quad_torus(16, 8), 0.3),
+        std::tuple("cylinder", tiny::quad_cylinder(12, 8), 0.3),
+        std::tuple("cube", tiny::subdivided(tiny::subdivided(tiny::quad_cube())), 0.25)}) {
+    const Triangle_surface s = tiny::connected(tiny::triangulated(quads));
+    const Surface_projector projector(s);
+    for (const double amount : {0.0, 0.05, 0.1, 0.2, 0.4, 0.8})
+      for (const bool anchors : {false, true}) {
+        INFO(name << ", shaken by " << amount << (anchors ? ", with anchors" : ""));
+        Quad_mesh mesh = quads;
+        shake(mesh, projector, amount * size, random);
+        check_relaxing(mesh, s, anchors);
+      }
+  }
+}
+
+TEST_CASE("inverted quads go to zero where some position of the vertices allows it") {
+  tiny::Random random(23);
+  for (const auto& [quads, size] : {std::pair(tiny::quad_torus(16, 8), 0.3),
+                                    std::pair(tiny::subdivided(tiny::subdivided(tiny::quad_cube())), 0.25)}) {
+    const Triangle_surface s = tiny::connected(tiny::triangulated(quads));
+    const Surface_projector projector(s);
+    for (int round = 0; round < 5; ++round) {
+      Quad_mesh mesh = quads;
+      shake(mesh, projector, size, random);
+      REQUIRE(quad_statistics(mesh).inverted_quads > 10);
+      REQUIRE(relax_quads(mesh, s, projector));
+      CHECK(quad_statistics(mesh).inverted_quads == 0);
+    }
+  }
+}
+
+TEST_CASE("built-in shapes and real meshes: what the pipeline makes is not made worse either") {
+  std::vector<std::pair<std::string, Triangle_surface>> surfaces;
+  for (const char* name : {"hand", "bitorus", "twisted-bar"})
+    surfaces.push_back({name, *make_shape(name, 3000)});
+  for (const char* name :
+       {"rocker_arm_2500.obj", "cow.off", "spot_6k.obj", "kitten_6k.obj", "torso_open.off"}) {
+    const std::string file = std::string(REEBQUAD_MODELS_DIR) + "/" + name;
+    if (!std::filesystem::exists(file)) continue;
+    surfaces.push_back({name, mend_surface(*read_polygon_soup(file))->components.at(0).surface});
+  }
+  for (auto& [name, s] : surfaces) {
+    INFO(name);
+    REQUIRE(s.connect());
+    Quadrangulation_options options;
+    options.quads = 600;
+    options.relax = false;
+    const auto made = quadrangulate(s, options);
+    REQUIRE(made);
+    Quad_mesh mesh = made->mesh;
+    const Surface_projector projector(s);
+    for (Point& p : mesh.points) p = projector.closest(p).point;
+    for (const bool anchors : {false, true}) check_relaxing(mesh, s, anchors);
+  }
+}
