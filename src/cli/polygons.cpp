@@ -73,8 +73,9 @@ Exit_code execute_polygons(const Arguments& arguments) {
     std::cerr << "reebquad: " << output << ": " << warning << '\n';
   if (line.has("picture")) {
     const Scene scene = polygon_scene(mesh, kind == Polygon_kind::hexagons ? 6 : 4);
-    succeed_or_fail(write_png(render(scene, camera(View::three_quarter), 1000, 800), line.text("picture")),
-                    line.text("picture"));
+    succeed_or_fail(
+        write_png(render(scene, camera(View::three_quarter, Up_axis::z), 1000, 800), line.text("picture")),
+        line.text("picture"));
   }
   std::cout << output << ": " << options.comment << '\n';
   return Exit_code::success;

@@ -214,7 +214,7 @@ void write_picture(const Scene& scene, const std::string& folder, const std::str
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::string path = (std::filesystem::path(folder) / file).string();
-  succeed_or_fail(write_png(contact_sheet(scene, Up_axis::y, 1600, 1200), path), path);
+  succeed_or_fail(write_png(contact_sheet(scene, Up_axis::z, 1600, 1200), path), path);
 }
 
 } // namespace

@@ -14,9 +14,9 @@ run(run ${OUT}/hand.obj -o ${OUT}/hand_quads.obj --quads 2500 --pictures ${OUT} 
 # Textures on the quads of another mesh, quads that follow the curvature, other polygons.
 run(run ${OUT}/hand.obj -o ${OUT}/hand_coarse.obj --quads 600 --quiet)
 run(texture ${OUT}/hand_coarse.obj --on ${OUT}/hand.obj -o ${OUT}/hand_edited.obj --pictures ${OUT}/base
-  --op "subdivide_texture 0,0,1" --quiet)
+  --op "subdivide_texture 0.18,0.09,1.3" --quiet)
 run(run ${OUT}/hand.obj -o ${OUT}/hand_adaptive.obj --quads 2500 --adaptive --pictures ${OUT}/adaptive --quiet)
-run(polygons ${OUT}/hand_coarse.obj -o ${OUT}/hand_hex.obj --on ${OUT}/hand.obj --picture ${OUT}/hexagons.png)
+run(polygons ${OUT}/hand_quads.obj -o ${OUT}/hand_hex.obj --on ${OUT}/hand.obj --picture ${OUT}/hexagons.png)
 foreach(picture base/patches base/quads adaptive/quads)
   string(REPLACE "/" "_" name ${picture})
   file(RENAME ${OUT}/${picture}.png ${OUT}/${name}.png)
