@@ -129,6 +129,7 @@ Json component_json(const Component_run& component) {
   out["extrema"] = extrema_json(result);
   out["layout"] = layout_json(result);
   out["sampling"] = sampling_json(result.sampling);
+  out["adaptive"] = {{"subdivided_quads", result.subdivided_quads}, {"t_junctions", result.t_junctions}};
   out["relaxation"] = relaxation_json(result.relaxation);
   out["features"] = features_json(result.features);
   out["predicted_valences"] = Json::object();
