@@ -128,7 +128,7 @@ TEST_CASE("saddles of nearly the same value have a thin chart between them, whic
 
 TEST_CASE("a contour beside the sharp edges of a cube is snapped to them, and then lies on them") {
   Editor editor = designed("cube", 3000,
-                          {extrema({0.5, 0.5, 0}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.95)}}, 600);
+                           {extrema({0.5, 0.5, 0}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.95)}}, 600);
   std::vector<Hint> snaps = of_kind(hints_of(editor), Hint_kind::sharp_edge);
   REQUIRE(!snaps.empty());
   check_promises(editor, snaps);
@@ -140,8 +140,8 @@ TEST_CASE("a contour beside the sharp edges of a cube is snapped to them, and th
   take_all(editor, only_sharp);
 
   SECTION("but not one in the middle between them") {
-    Editor middle = designed("cube", 3000,
-                            {extrema({0.5, 0.5, 0}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.5)}}, 600);
+    Editor middle = designed(
+        "cube", 3000, {extrema({0.5, 0.5, 0}, {{0.5, 0.5, 1}}), Subdivide_chart{at(1, 0.5, 0.5)}}, 600);
     for (const Hint& hint : of_kind(hints_of(middle), Hint_kind::sharp_edge))
       CHECK(std::abs(hint.place.z() - 0.5) > 0.3);
   }
