@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fractional poles: a sphere with four vertices of valence 2 and no other extraordinary one.
 #include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/pole_fans.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 
 #include <cstdlib>
@@ -50,7 +51,7 @@ int main() {
   // Back to quarter-poles, four vertices of valence 3 each.
   apply(editor, RQ::Split_pole{at(0, 0, 1), RQ::Pole_kind::quarter, {}});
 
-  const RQ::Result<RQ::Edit_report> done =
-      editor.apply(RQ::Split_pole{at(0, 0, 1), RQ::Pole_kind::whole, {}});
-  std::cout << (done ? "applied" : "refused: " + done.error().message) << '\n';
+  // A whole pole: the quads leave a hole, which a fan of triangles fills.
+  apply(editor, RQ::Split_pole{at(0, 0, 1), RQ::Pole_kind::whole, {}});
+  std::cout << RQ::fan_sentence(RQ::pole_fans(editor.design(), editor.quads())) << '\n';
 }

@@ -51,6 +51,7 @@
 #include <CGAL/Reeb_quadrangulation/parameters.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
+#include <CGAL/Reeb_quadrangulation/pole_fans.h>
 #include <CGAL/Reeb_quadrangulation/polygon_mesh.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>

@@ -17,12 +17,19 @@ using namespace CGAL::Reeb_quadrangulation;
 using Json = nlohmann::ordered_json;
 
 Design_output::Design_output(const Editor& editor, const Stitched_mesh& quads)
-    : m_editor(editor), m_quads(quads),
-      m_certificate(certify({quads.mesh, &editor.input(), quads.valences, quads.components})),
-      m_statistics(quad_statistics(quads.mesh, &editor.input())) {}
+    : m_editor(editor), m_quads(quads), m_fans(pole_fans(editor.design(), quads)),
+      m_statistics(quad_statistics(quads.mesh, &editor.input())) {
+  const Stitched_mesh closed = with_paired_fans(quads, m_fans);
+  m_certificate = certify({closed.mesh, &editor.input(), closed.valences, closed.components});
+}
+
+Polygon_soup Design_output::polygons() const {
+  return with_fans(m_quads.mesh, m_fans);
+}
 
 std::string Design_output::text() const {
-  return to_text(m_certificate) + "\n" + to_text(m_statistics);
+  const std::string fans = fan_sentence(m_fans);
+  return to_text(m_certificate) + (fans.empty() ? "" : fans + "\n") + "\n" + to_text(m_statistics);
 }
 
 std::string Design_output::report(const std::string& input, const std::string& output) const {
@@ -46,10 +53,15 @@ std::string Design_output::report(const std::string& input, const std::string& o
   out["textures"] = {{"edited", edited},
                      {"t_junctions", m_quads.t_junctions},
                      {"extraordinary_vertices", m_quads.extraordinary},
-                     {"holes", m_quads.holes}};
+                     {"holes", with_paired_fans(m_quads, m_fans).holes}};
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : m_quads.valences)
     out["predicted_valences"][std::to_string(valence)] = number;
+  out["all_quad"] = m_fans.empty();
+  out["fans"] = Json::array();
+  for (const Pole_fan& fan : m_fans)
+    out["fans"].push_back(
+        {{"pole", {fan.pole.x(), fan.pole.y(), fan.pole.z()}}, {"triangles", fan.ring.size()}});
   out["certificate"] = Json::parse(to_json(m_certificate));
   out["statistics"] = Json::parse(to_json(m_statistics));
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/pole_fans.h>
 
 #include <string>
 
@@ -16,7 +17,10 @@ public:
   Design_output(const CGAL::Reeb_quadrangulation::Editor& editor,
                 const CGAL::Reeb_quadrangulation::Stitched_mesh& quads);
 
+  /// Of the quads; where the design asks for fans of triangles, of the quads with these in pairs.
   const CGAL::Reeb_quadrangulation::Certificate& certificate() const { return m_certificate; }
+  /// The quads, and the triangles that the design asks for.
+  CGAL::Reeb_quadrangulation::Polygon_soup polygons() const;
   std::string text() const;
   /// JSON, as doc/Reeb_quadrangulation/recipes.md describes it.
   std::string report(const std::string& input, const std::string& output) const;
@@ -26,6 +30,7 @@ public:
 private:
   const CGAL::Reeb_quadrangulation::Editor& m_editor;
   const CGAL::Reeb_quadrangulation::Stitched_mesh& m_quads;
+  std::vector<CGAL::Reeb_quadrangulation::Pole_fan> m_fans;
   CGAL::Reeb_quadrangulation::Certificate m_certificate;
   CGAL::Reeb_quadrangulation::Mesh_statistics m_statistics;
 };

@@ -96,7 +96,7 @@ Exit_code execute_replay(const Arguments& arguments) {
     const Uninterruptible whole;
     if (passed)
       for (const std::string& warning :
-           value_or_fail(write_mesh(options->output, quads.mesh), options->output))
+           value_or_fail(write_mesh(options->output, output.polygons()), options->output))
         std::cerr << "reebquad: " << options->output << ": " << warning << '\n';
     if (!options->report.empty())
       succeed_or_fail(write_file_atomically(options->report,

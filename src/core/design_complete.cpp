@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From contours to textures: what is new in a draft is mapped, sampled and filled.
 #include "design_draft.h"
+#include "pole_texture.h"
 
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
@@ -201,6 +202,15 @@ private:
     m_design.charts[c] = std::move(made);
   }
 
+  Texture_maker disc_maker(const Chart& chart) const {
+    Texture_maker maker;
+    for (const Design_extremum& e : m_draft.extrema)
+      if (chart.extremum >= 0 && chart.vertex_origin[chart.extremum] == e.vertex &&
+          e.pole == Pole_kind::whole)
+        maker.disc = pole_texture;
+    return maker;
+  }
+
   Result<void> fill(int c) {
     const Chart& chart = m_draft.chart(c);
     auto made = std::make_shared<Design_chart>();
@@ -226,7 +236,7 @@ private:
     Result<Placed_texture> placed =
         chart.kind == Chart_kind::annulus
             ? place_annulus(chart, m_design.samples, grid[1], solved, {}, placement)
-            : place_disc(chart, m_design.samples, grid[0], grid[1], solved, {}, placement);
+            : place_disc(chart, m_design.samples, grid[0], grid[1], solved, disc_maker(chart), placement);
     if (!placed) return placed.error();
     made->texture = std::move(*placed);
     made->map = std::make_shared<const Chart_parameterization>(std::move(solved));

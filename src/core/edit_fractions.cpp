@@ -527,14 +527,20 @@ Result<void> apply_edit(Draft& draft, const Split_pole& edit) {
   const int i = draft.extremum_at(edit.at.point);
   if (i < 0) return refuse("there is no extremum");
   Design_extremum& extremum = draft.extrema[i];
-  if (edit.kind == Pole_kind::whole)
-    return refuse("a whole pole is a fan of triangles, which a quad mesh cannot hold");
   if (extremum.pole == edit.kind) return refuse("the pole is of this kind already");
   if (edit.kind == Pole_kind::half) return split_in_half_poles(draft, extremum, edit);
+  if (extremum.segment < 0) { // the cap stays, with another texture
+    const Design_chart& disc = *draft.before().charts[draft.origin(draft.chart_of_vertex(extremum.vertex))];
+    if (disc.settings.locked)
+      return refuse("the edit would change a locked chart", {}, Element_kind::chart, disc.id);
+    draft.reset_textures.insert(disc.id);
+    extremum.pole = edit.kind;
+    return {};
+  }
   const int annulus = draft.atlas().charts_of_edge[extremum.segment][0];
   remove_edge(draft.network, extremum.segment);
   extremum.segment = -1;
-  extremum.pole = Pole_kind::quarter;
+  extremum.pole = edit.kind;
   return redesign_region(draft, {annulus}, extremum.vertex, -1, 0);
 }
 

@@ -232,8 +232,6 @@ TEST_CASE("a pole is split into halves and put together again") {
   CHECK(valences(editor) == std::map<int, int>{{3, 8}});
   refused(editor, Split_pole{at(0, 0, 1), Pole_kind::half, {at(0.6, 0, 0.8)}},
           "a half-pole needs two ends, or none");
-  refused(editor, Split_pole{at(0, 0, 1), Pole_kind::whole, {}},
-          "a whole pole is a fan of triangles, which a quad mesh cannot hold");
 }
 
 TEST_CASE("the corners of a cap move along its contour") {

@@ -3,6 +3,8 @@
 #include "editor_sessions.h"
 #include "random_edits.h"
 
+#include <CGAL/Reeb_quadrangulation/pole_fans.h>
+
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -15,7 +17,7 @@ namespace {
 
 // What the invariants say against the present state, or nothing.
 std::string complaint(const Editor& editor) {
-  const Stitched_mesh quads = editor.quads();
+  const Stitched_mesh quads = with_paired_fans(editor.quads(), pole_fans(editor.design(), editor.quads()));
   std::string text = stages::faults(quads.mesh, editor.working_surface(), quads.valences, quads.components);
   for (const auto& chart : editor.design().charts)
     if (stages::folds(*chart->chart, *chart->map) > 0) text += "a chart folds; ";

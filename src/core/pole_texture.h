@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEB_QUADRANGULATION_CORE_POLE_TEXTURE_H
+#define REEB_QUADRANGULATION_CORE_POLE_TEXTURE_H
+
+#include <CGAL/Reeb_quadrangulation/Quad_texture.h>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// The texture of a disc with a whole pole: rings around the middle, the last vertex, whose fan stands as a hole of half as many quads.
+Quad_texture pole_texture(int a, int b, bool clockwise);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEB_QUADRANGULATION_CORE_POLE_TEXTURE_H
