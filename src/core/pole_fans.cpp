@@ -101,7 +101,7 @@ std::vector<Pole_fan> pole_fans(const Design& design, const Stitched_mesh& quads
   for (std::size_t i = 0; i < design.extrema.size(); ++i) {
     if (design.extrema[i].pole != Pole_kind::whole) continue;
     const int c = chart_of_pole(design, design.extrema[i]);
-    if (c < 0) continue;
+    if (c < 0 || design.charts[c]->edited) continue;
     Pole_fan fan;
     fan.extremum = int(i);
     fan.pole = middle_of_holes(*design.charts[c]);
@@ -135,6 +135,9 @@ Polygon_soup with_fans(const Quad_mesh& quads, const std::vector<Pole_fan>& fans
 
 Stitched_mesh with_paired_fans(Stitched_mesh quads, const std::vector<Pole_fan>& fans) {
   if (fans.empty()) return quads;
+  std::vector<int> quads_at(quads.mesh.points.size(), 0);
+  for (const Quad& q : quads.mesh.quads)
+    for (int v : q) ++quads_at[v];
   for (const Pole_fan& fan : fans) {
     const int pole = int(quads.mesh.points.size()), n = int(fan.ring.size());
     quads.mesh.points.push_back(fan.pole);
@@ -142,11 +145,9 @@ Stitched_mesh with_paired_fans(Stitched_mesh quads, const std::vector<Pole_fan>&
       quads.mesh.quads.push_back({pole, fan.ring[i], fan.ring[i + 1], fan.ring[(i + 2) % n]});
       quads.chart_of_quad.push_back(-1);
     }
-    ++quads.valences
-          [n /
-           2]; // the pole; along the ring three edges and, at every second vertex, a fourth one to the pole
-    quads.valences[3] += n / 2;
-    quads.valences[4] += n / 2;
+    ++quads.valences[n / 2];
+    for (int i = 0; i < n; ++i) // the edges of the quads there, and every second time the one to the pole
+      ++quads.valences[quads_at[fan.ring[i]] + 1 + (i % 2 == 0)];
     quads.holes -= n / 2;
   }
   quads.components.clear(); // without other holes they are the surface's

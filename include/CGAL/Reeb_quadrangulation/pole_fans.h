@@ -22,8 +22,8 @@ struct Pole_fan {
   std::vector<int> ring;      ///< vertices of the quads, counterclockwise seen from outside; an even number
 };
 
-/// The fans of a design's quads, relaxed or not, in the order of the extrema; none if it has no whole poles. Where the user has edited
-/// the texture so that there is no hole, there is no fan. O(quads). \pre `quads` is stitched from `design`.
+/// The fans of a design's quads, relaxed or not, in the order of the extrema; none if it has no whole poles. Where the user has edited the
+/// cap's texture, its holes are the user's, and there is no fan. O(quads). \pre `quads` is stitched from `design`.
 std::vector<Pole_fan> pole_fans(const Design& design, const Stitched_mesh& quads);
 
 /// The quads, then the fans' triangles; the poles are the last points.
