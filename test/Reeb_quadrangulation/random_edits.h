@@ -79,12 +79,12 @@ private:
   // Subdivisions of everything would soon make too many quads.
   Edit texture_operator() {
     const Surface_point p = vertex();
+    if (!is_coarse(p)) return Reset_texture{p};
     Edit_texture edit;
     edit.operation = Texture_operator(m_random.below(14));
     edit.points = {p};
     switch (edit.operation) {
-    case Texture_operator::subdivide:
-      return m_random.below(3) == 0 && is_coarse(p) ? Edit(edit) : Reset_texture{p};
+    case Texture_operator::subdivide: return m_random.below(3) == 0 ? Edit(edit) : Reset_texture{p};
     case Texture_operator::coarsen: break;
     case Texture_operator::insert_polychord:
     case Texture_operator::delete_polychord:
