@@ -64,6 +64,7 @@ test("a click on a chart opens it beside its square", async () => {
   await studio.clickOn(inside, 1.6);
   await studio.page.waitForSelector(".chart-view:not([hidden])");
   assert.equal(await quadsOfChart(), tube.columns * tube.rows);
+  assert.match(await studio.page.innerText(".hint-line"), /Drag a vertex/);
 });
 
 test("hovering shines in both views", async () => {

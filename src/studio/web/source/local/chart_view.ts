@@ -66,6 +66,7 @@ export class ChartView {
     this.title.textContent = `${texture.kind === "disc" ? "Cap" : "Tube"} ${texture.id}`;
     this.facts.textContent = `${readable(texture.size)} quads`;
     this.panel.hidden = false;
+    this.app.tools.tellHint();
     this.mesh.set(this.app.stage.surface.drape(texture.edgesInSpace(Array.from({ length: texture.size }, (_, q) => q))));
     this.showOnSurface();
     this.light(isOther ? { places: [], vertices: [], anchors: this.shine.anchors } : this.shine);
