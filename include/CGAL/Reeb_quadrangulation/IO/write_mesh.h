@@ -13,7 +13,7 @@ namespace Reeb_quadrangulation {
 
 struct Write_options {
   Mesh_format format = Mesh_format::automatic; ///< `automatic`: by the extension of the file
-  bool ascii = false; ///< PLY and STL as text; they are binary (little endian) otherwise
+  bool ascii = false;  ///< PLY and STL as text; they are binary (little endian) otherwise
   std::string comment; ///< one line for people; OBJ, OFF and PLY hold it
 };
 
