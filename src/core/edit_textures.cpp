@@ -48,7 +48,7 @@ public:
     const Chart_point found = m_draft.chart_point_at(at.point, c);
     if (found.chart < 0)
       return refuse("the points lie in different charts", {}, Element_kind::chart, chart(c).id);
-    const Eigen::Vector2d p = parameters(*chart(c).chart, *chart(c).map, found.location);
+    const Eigen::Vector2d p = plane_point(*chart(c).chart, *chart(c).map, found.location);
     const Quad_texture& t = texture(c).texture;
     Texture_place place;
     place.v = t.sides.size() == 2 ? p.x() : clamped(p.x(), t.v);
@@ -240,7 +240,7 @@ Result<Design> with_texture(const Draft& draft, const Drag_vertices& edit) {
   // Exactly to a point in the same chart; else in its direction.
   const Chart_point to = draft.chart_point_at(edit.to.point);
   Eigen::Vector2d way = to.chart == c
-                            ? Eigen::Vector2d(parameters(*chart.chart, *chart.map, to.location) -
+                            ? Eigen::Vector2d(plane_point(*chart.chart, *chart.map, to.location) -
                                               Eigen::Vector2d(texture.v[vertex], texture.u[vertex]))
                             : parameter_displacement(*chart.chart, *chart.map, location,
                                                      edit.to.point - position(*chart.chart, location));
@@ -370,7 +370,7 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit) {
     const Chart_point target = draft.chart_point_at(*to, c);
     if (target.chart < 0)
       return refuse("the nearest sharp edge lies in another chart", {}, Element_kind::chart, chart.id);
-    const Eigen::Vector2d goal = parameters(*chart.chart, *chart.map, target.location);
+    const Eigen::Vector2d goal = plane_point(*chart.chart, *chart.map, target.location);
     const auto way = [&] {
       const Quad_texture& t = textures.texture(c).texture;
       const double dv = goal.x() - t.v[vertex];

@@ -2,6 +2,7 @@
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 
 #include "edit_steps.h"
+#include "pole_texture.h"
 
 #include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
 
@@ -83,6 +84,11 @@ Result<Design> next_design(Draft& draft, const Snap_vertices& edit) {
   return with_texture(draft, edit);
 }
 
+bool has_whole_pole(const Design& design) {
+  return std::any_of(design.extrema.begin(), design.extrema.end(),
+                     [](const Design_extremum& e) { return e.pole == Pole_kind::whole; });
+}
+
 } // namespace
 
 struct Editor::Implementation {
@@ -96,9 +102,11 @@ struct Editor::Implementation {
       return refuse("the design is empty", "place extrema first");
     Draft draft(working, *projector, *solver, design(), options, observer);
     Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
-    if (!next || !has_edited_texture(*next)) return next;
-    if (Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next); !stitched)
-      return stitched.error();
+    if (!next || (!has_edited_texture(*next) && !has_whole_pole(*next))) return next;
+    const Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next);
+    if (!stitched) return stitched.error();
+    if (has_whole_pole(*next) && !has_all_fans(*next, *stitched))
+      return refuse("the ring around a whole pole is none that a fan could fill");
     return next;
   }
 

@@ -105,6 +105,8 @@ std::vector<Pole_fan> pole_fans(const Design& design, const Stitched_mesh& quads
     Pole_fan fan;
     fan.extremum = int(i);
     fan.pole = middle_of_holes(*design.charts[c]);
+    const std::vector<char>& holes = design.charts[c]->texture.texture.holes;
+    fan.holes = int(std::count_if(holes.begin(), holes.end(), [](char hole) { return hole != 0; }));
     double least = std::numeric_limits<double>::infinity();
     for (std::vector<int>& hole : holes_in(quads, c)) {
       if (hole.size() % 2 != 0) continue;
@@ -118,6 +120,18 @@ std::vector<Pole_fan> pole_fans(const Design& design, const Stitched_mesh& quads
     if (!fan.ring.empty()) fans.push_back(std::move(fan));
   }
   return fans;
+}
+
+bool has_all_fans(const Design& design, const Stitched_mesh& quads) {
+  const std::vector<Pole_fan> fans = pole_fans(design, quads);
+  for (std::size_t i = 0; i < design.extrema.size(); ++i) {
+    if (design.extrema[i].pole != Pole_kind::whole) continue;
+    const int c = chart_of_pole(design, design.extrema[i]);
+    if (c >= 0 && design.charts[c]->edited) continue;
+    if (std::none_of(fans.begin(), fans.end(), [&](const Pole_fan& fan) { return fan.extremum == int(i); }))
+      return false;
+  }
+  return true;
 }
 
 Polygon_soup with_fans(const Quad_mesh& quads, const std::vector<Pole_fan>& fans) {
@@ -148,10 +162,10 @@ Stitched_mesh with_paired_fans(Stitched_mesh quads, const std::vector<Pole_fan>&
     ++quads.valences[n / 2];
     for (int i = 0; i < n; ++i) // the edges of the quads there, and every second time the one to the pole
       ++quads.valences[quads_at[fan.ring[i]] + 1 + (i % 2 == 0)];
-    quads.holes -= n / 2;
+    quads.holes -= fan.holes;
   }
   quads.components.clear(); // without other holes they are the surface's
-  if (quads.holes > 0)
+  if (quads.holes != 0)     // or T-junctions changed the ring
     quads.components = internal::quad_components(quads.mesh.quads, int(quads.mesh.points.size()));
   return quads;
 }

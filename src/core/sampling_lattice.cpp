@@ -20,6 +20,8 @@ namespace {
 using Integer = CGAL::Exact_integer;
 using Vector = std::vector<std::int64_t>;
 
+constexpr std::int64_t largest_count = std::numeric_limits<int>::max() / 4;
+
 Error infeasible(int chart, const std::string& why) {
   return make_error(Error_code::infeasible_sampling,
                     "the counts around chart " + std::to_string(chart) + " cannot be balanced: " + why,
@@ -238,8 +240,11 @@ public:
       }
   }
 
+  // Ends where no move gains, or after many rounds: from far away, along an edge of what is allowed, gains can be tiny ones for ever.
   void descend(Vector& k) const {
-    for (bool improved = true; improved;) {
+    constexpr int most_rounds = 500;
+    bool improved = true;
+    for (int round = 0; improved && round < most_rounds; ++round) {
       improved = false;
       for (const Move& move : m_moves)
         for (int sign : {1, -1}) improved = slide(k, move, sign) || improved;
@@ -319,15 +324,17 @@ bool nonnegative(const Vector& k) {
   return std::all_of(k.begin(), k.end(), [](std::int64_t steps) { return steps >= 0; });
 }
 
-// A multiple of a rational solution of homogeneous equations is an integer one, and above the same minima.
+// A multiple of a rational solution of homogeneous equations is an integer one, and above the same minima. Nothing if it is too
+// large to be of use.
 Vector multiple_point(const Count_problem& problem, const Step_system& s, const Rational_point& p) {
   Vector k;
   const Integer& d = p.denominator;
   for (std::size_t j = 0; j < s.variables.size(); ++j) {
     const Count_variable& v = problem.variables[s.variables[j]];
     // n = minimum + step * (p / d); all steps divide 2, so 2 d n is a multiple of them.
-    const Integer n = 2 * (d * v.minimum + v.step * p.numerator[j]);
-    k.push_back((std::int64_t(CGAL::to_double(n)) - v.minimum) / v.step);
+    const double n = CGAL::to_double(Integer(2 * (d * v.minimum + v.step * p.numerator[j])));
+    if (n > double(largest_count)) return {};
+    k.push_back((std::int64_t(n) - v.minimum) / v.step);
   }
   return k;
 }
@@ -346,8 +353,10 @@ Result<std::vector<int>> solve_lattice(const Count_problem& problem) {
   walk.descend(k);
   const bool homogeneous = system.variables.size() == problem.variables.size();
   if (!nonnegative(k) && homogeneous) {
-    k = multiple_point(problem, system, *rational);
-    walk.descend(k);
+    if (Vector multiple = multiple_point(problem, system, *rational); !multiple.empty()) {
+      k = std::move(multiple);
+      walk.descend(k);
+    }
   }
   if (!nonnegative(k)) {
     const int chart = system.chart.empty() ? -1 : system.chart.front();
@@ -358,7 +367,7 @@ Result<std::vector<int>> solve_lattice(const Count_problem& problem) {
   for (std::size_t j = 0; j < system.variables.size(); ++j) {
     const Count_variable& v = problem.variables[system.variables[j]];
     const std::int64_t n = v.minimum + v.step * k[j];
-    if (n > std::numeric_limits<int>::max() / 4)
+    if (n > largest_count)
       return make_error(Error_code::impossible_request,
                         "the sampling needs more than 10^8 edges on one contour");
     counts[system.variables[j]] = int(n);

@@ -244,8 +244,8 @@ Eigen::Matrix2d parameter_edges(const Chart& chart, const Chart_parameterization
 
 } // namespace
 
-Eigen::Vector2d parameters(const Chart& chart, const Chart_parameterization& map,
-                           const Chart_location& location) {
+Eigen::Vector2d plane_point(const Chart& chart, const Chart_parameterization& map,
+                            const Chart_location& location) {
   const int first = chart.mesh.triangles[location.face][0];
   return Eigen::Vector2d(map.v()[first], map.u()[first]) +
          parameter_edges(chart, map, location.face) *

@@ -96,7 +96,7 @@ void edit_at_random(const Triangle_surface& surface, int edits, std::uint64_t se
 
 int edits_asked() {
   const char* text = std::getenv("REEBQUAD_FUZZ_EDITS");
-  return text ? std::max(1, std::atoi(text)) : 2000; // REEBQUAD_FUZZ_EDITS asks for another number
+  return text ? std::max(1, std::atoi(text)) : 10000; // REEBQUAD_FUZZ_EDITS asks for another number
 }
 
 } // namespace

@@ -27,8 +27,8 @@ Placed_texture with_counts(const Placed_texture& placed, const Chart& chart, con
                            const Contour_samples& after);
 
 /// The parameters (V, U) of a place on a chart.
-Eigen::Vector2d parameters(const Chart& chart, const Chart_parameterization& map,
-                           const Chart_location& location);
+Eigen::Vector2d plane_point(const Chart& chart, const Chart_parameterization& map,
+                            const Chart_location& location);
 
 /// A polychord to be inserted in a chart.
 struct Chart_polychord {

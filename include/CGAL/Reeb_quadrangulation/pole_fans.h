@@ -19,6 +19,7 @@ namespace Reeb_quadrangulation {
 struct Pole_fan {
   int extremum = -1;          ///< index into `Design::extrema`
   Point pole = Point::Zero(); ///< on the surface
+  int holes = 0;              ///< quads of the chart's texture that are left out for the fan
   std::vector<int> ring;      ///< vertices of the quads, counterclockwise seen from outside; an even number
 };
 
