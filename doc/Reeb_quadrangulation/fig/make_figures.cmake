@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -D PROGRAM=.../reebquad -D OUT=FOLDER -P make_figures.cmake: the manual's figures, made by the program itself.
+# Meshes and pictures not shown go to OUT_work: the manual's figures are found by their names alone.
 function(run)
   execute_process(COMMAND ${PROGRAM} ${ARGV} RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -7,25 +8,33 @@ function(run)
   endif()
 endfunction()
 
-file(MAKE_DIRECTORY ${OUT})
-run(shape hand -o ${OUT}/hand.obj --triangles 12000)
-run(run ${OUT}/hand.obj -o ${OUT}/hand_quads.obj --quads 2500 --pictures ${OUT} --quiet)
+set(work ${OUT}_work)
+file(REMOVE_RECURSE ${work})
+file(MAKE_DIRECTORY ${OUT} ${work})
+
+# show(FOLDER PICTURE...): these pictures of a run become figures named FOLDER_PICTURE.
+function(show folder)
+  foreach(picture IN LISTS ARGN)
+    file(RENAME ${work}/${folder}/${picture}.png ${OUT}/${folder}_${picture}.png)
+  endforeach()
+endfunction()
+
+run(shape hand -o ${work}/hand.obj --triangles 12000)
+run(run ${work}/hand.obj -o ${work}/hand_quads.obj --quads 2500 --pictures ${OUT} --quiet)
 
 # Textures on the quads of another mesh, quads that follow the curvature, other polygons.
-run(run ${OUT}/hand.obj -o ${OUT}/hand_coarse.obj --quads 600 --quiet)
-run(texture ${OUT}/hand_coarse.obj --on ${OUT}/hand.obj -o ${OUT}/hand_edited.obj --pictures ${OUT}/base
+run(run ${work}/hand.obj -o ${work}/hand_coarse.obj --quads 600 --quiet)
+run(texture ${work}/hand_coarse.obj --on ${work}/hand.obj -o ${work}/hand_edited.obj --pictures ${work}/base
   --op "subdivide_texture 0.18,0.09,1.3" --quiet)
-run(run ${OUT}/hand.obj -o ${OUT}/hand_adaptive.obj --quads 2500 --adaptive --pictures ${OUT}/adaptive --quiet)
-run(polygons ${OUT}/hand_quads.obj -o ${OUT}/hand_hex.obj --on ${OUT}/hand.obj --picture ${OUT}/hexagons.png)
-foreach(picture base/patches base/quads adaptive/quads)
-  string(REPLACE "/" "_" name ${picture})
-  file(RENAME ${OUT}/${picture}.png ${OUT}/${name}.png)
-endforeach()
+show(base patches quads)
+run(run ${work}/hand.obj -o ${work}/hand_adaptive.obj --quads 2500 --adaptive --pictures ${work}/adaptive --quiet)
+show(adaptive quads)
+run(polygons ${work}/hand_quads.obj -o ${work}/hand_hex.obj --on ${work}/hand.obj --picture ${OUT}/hexagons.png)
 
 set(figure_dir ${CMAKE_CURRENT_LIST_DIR})
 # Each recipe in fig/edits is one edit before (all but its last edit) and after.
 function(edit_figures shape triangles)
-  run(shape ${shape} -o ${OUT}/${shape}.off --triangles ${triangles})
+  run(shape ${shape} -o ${work}/${shape}.off --triangles ${triangles})
   foreach(name IN LISTS ARGN)
     set(recipe ${figure_dir}/edits/${name}.json)
     file(READ ${recipe} text)
@@ -33,9 +42,9 @@ function(edit_figures shape triangles)
     list(LENGTH edits after)
     math(EXPR before "${after} - 1")
     foreach(step before after)
-      run(replay ${OUT}/${shape}.off ${recipe} -o ${OUT}/edit.obj --until ${${step}} --pictures ${OUT}/edit --no-relax --quiet)
+      run(replay ${work}/${shape}.off ${recipe} -o ${work}/edit.obj --until ${${step}} --pictures ${work}/edit --no-relax --quiet)
       foreach(picture charts quads)
-        file(RENAME ${OUT}/edit/${picture}.png ${OUT}/${name}_${step}_${picture}.png)
+        file(RENAME ${work}/edit/${picture}.png ${OUT}/${name}_${step}_${picture}.png)
       endforeach()
     endforeach()
   endforeach()
