@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design_draft.h"
 
+#include "segments.h"
+
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include <CGAL/assertions.h>
@@ -25,7 +27,10 @@ Surface_solver::Surface_solver(const Triangle_surface& surface, int threads)
 
 Result<void> Surface_solver::solve(Designed_field& field) {
   Result<void> solved = solve_field(m_surface, m_field, field);
-  if (m_places.empty()) m_places = places_in(m_field.elimination_order());
+  if (m_order.empty()) {
+    m_order = m_field.elimination_order();
+    m_places = places_in(m_order);
+  }
   return solved;
 }
 
@@ -138,6 +143,8 @@ void Draft::adopt(Reeb_layout layout) {
   remember_contours();
   m_maps.assign(m_atlas.charts.size(), nullptr);
   m_origin.assign(m_atlas.charts.size(), -1);
+  settings.clear();
+  resample = true;
 }
 
 Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
@@ -180,12 +187,6 @@ int Draft::chart_of_vertex(int vertex) const {
     if (std::find(origin.begin(), origin.end(), vertex) != origin.end()) return int(c);
   }
   return -1;
-}
-
-double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double length = d.squaredNorm(), t = length > 0 ? (p - a).dot(d) / length : 0;
-  return (a + std::min(1.0, std::max(0.0, t)) * d - p).squaredNorm();
 }
 
 namespace {

@@ -28,16 +28,15 @@ public:
   Surface_solver(const Triangle_surface& surface, int threads);
   /// Fills in a field as `solve_field()` does.
   Result<void> solve(Designed_field& field);
-  /// The places of the vertices in the order of elimination; empty before the first field.
+  /// The vertices in the order of elimination of the first field, and their places in it; empty before that.
+  const std::vector<int>& order() const { return m_order; }
   const std::vector<int>& places() const { return m_places; }
 
 private:
   const Triangle_surface& m_surface;
   Harmonic_field m_field;
-  std::vector<int> m_places;
+  std::vector<int> m_order, m_places;
 };
-
-double squared_distance_to_segment(const Point& p, const Point& a, const Point& b);
 
 /// A point as it lies in a chart; chart -1 if it does not.
 struct Chart_point {
@@ -72,7 +71,7 @@ public:
   Result<void> cut();
   /// Becomes what another draft of the same design is.
   void take(Draft&& other);
-  /// Takes over a layout of the whole surface.
+  /// Takes over a layout of the whole surface: its charts have no settings, and their counts are chosen anew.
   void adopt(Reeb_layout layout);
   const Atlas& atlas() const { return m_atlas; }
   const Chart& chart(int c) const { return *m_atlas.charts[c]; }

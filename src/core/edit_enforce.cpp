@@ -53,9 +53,7 @@ Designed_field field_of(const Draft& draft, std::vector<double> values) {
   field.values = std::move(values);
   for (const std::vector<int>& loop : boundary_loops(draft.surface()))
     field.boundary_is_maximum.push_back(field.values[draft.surface().source(loop[0])] > 0.5);
-  const std::vector<int>& places = draft.solver().places();
-  field.elimination_order.resize(places.size());
-  for (std::size_t v = 0; v < places.size(); ++v) field.elimination_order[places[v]] = int(v);
+  field.elimination_order = draft.solver().order();
   return field;
 }
 
@@ -88,16 +86,11 @@ Result<void> enforce_by_field(Draft& draft, int old, Contour_edge fresh) {
   Result<std::vector<double>> solved = constrained_field(draft.surface(), field, wanted, *critical);
   if (!solved) return refuse("the field cannot be solved", solved.error().message);
   field.values = std::move(*solved);
-  Result<Reeb_layout> layout = make_layout(draft.surface(), field, int(draft.network.edges.size()));
-  if (!layout) return refuse("the field has no layout", layout.error().message);
-  if (!layout->lost_extrema.empty())
-    return refuse("the field does not have an extremum there", {}, Element_kind::vertex,
-                  layout->lost_extrema[0]);
+  Result<Reeb_layout> layout = layout_of(draft, field);
+  if (!layout) return layout.error();
   if (joined_ends(draft.atlas(), draft.network) != joined_ends(layout->atlas, layout->network))
     return refuse("the contour would change the topology of the field");
   draft.adopt(std::move(*layout));
-  draft.settings.clear();
-  draft.resample = true;
   return {};
 }
 

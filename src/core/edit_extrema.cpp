@@ -47,15 +47,10 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
   for (const Design_extremum& e : extrema) field.extremal_values[e.vertex] = e.value;
   if (Result<void> solved = draft.solver().solve(field); !solved)
     return refuse("the field cannot be solved", solved.error().message);
-  Result<Reeb_layout> layout = make_layout(s, field, int(draft.network.edges.size()));
-  if (!layout) return refuse("the field has no layout", layout.error().message);
-  if (!layout->lost_extrema.empty())
-    return refuse("the field does not have an extremum there", {}, Element_kind::vertex,
-                  layout->lost_extrema[0]);
+  Result<Reeb_layout> layout = layout_of(draft, field);
+  if (!layout) return layout.error();
   draft.adopt(std::move(*layout));
   draft.extrema = std::move(extrema);
-  draft.settings.clear();
-  draft.resample = true;
   return {};
 }
 
@@ -89,6 +84,15 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema) 
 }
 
 } // namespace
+
+Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field) {
+  Result<Reeb_layout> layout = make_layout(draft.surface(), field, int(draft.network.edges.size()));
+  if (!layout) return refuse("the field has no layout", layout.error().message);
+  if (!layout->lost_extrema.empty())
+    return refuse("the field does not have an extremum there", {}, Element_kind::vertex,
+                  layout->lost_extrema[0]);
+  return layout;
+}
 
 Result<void> apply_edit(Draft& draft, const Suggest& edit) {
   Suggestion_options options;

@@ -54,6 +54,9 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit);
 Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
                              double strength);
 
+/// The charts that a field on the whole surface cuts it into; refused if it lacks one of its extrema.
+Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field);
+
 /// A field on a chart whose level lines go around it, from 0 to 1: U of an annulus; between the walk and the extremum of a disc.
 Result<std::vector<double>> level_field(Draft& draft, int chart);
 

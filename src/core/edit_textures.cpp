@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of connectivity textures in a design: points of the surface become places of a chart's texture.
 #include "edit_steps.h"
+#include "segments.h"
 
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
@@ -296,12 +297,6 @@ Result<Design> with_texture(const Draft& draft, const Relax_texture& edit) {
 }
 
 namespace {
-
-Point nearest_on_segment(const Point& p, const Point& a, const Point& b) {
-  const Eigen::Vector3d d = b - a;
-  const double length = d.squaredNorm(), t = length > 0 ? (p - a).dot(d) / length : 0;
-  return a + std::min(1.0, std::max(0.0, t)) * d;
-}
 
 // The sharp edges' corner within `reach`, else their nearest point.
 Result<Point> nearest_feature(const Triangle_surface& surface, const Feature_edges& features, const Point& p,

@@ -2,7 +2,7 @@
 #include "hint_measures.h"
 
 #include "certificate_geometry.h"
-#include "design_draft.h"
+#include "segments.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relax_quads_state.h"
 
+#include "segments.h"
+
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 
 #include <algorithm>
@@ -28,13 +30,6 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 namespace relaxation {
 
 namespace {
-
-// The coordinate t in [0, 1] of the point of segment ab nearest to p.
-double nearest_on_segment(const Point& p, const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double square = d.squaredNorm();
-  return square > 0 ? std::clamp((p - a).dot(d) / square, 0.0, 1.0) : 0;
-}
 
 // The mesh's boundary loops as vertices, quads on the left.
 std::vector<std::vector<int>> loops_of(const Quad_mesh& mesh) {
@@ -113,7 +108,7 @@ double Curve::nearest(const Point& p, double low, double high) const {
   const int segments = int(points.size()) - 1;
   int i = int(std::upper_bound(length.begin() + 1, length.end() - 1, low - turns) - length.begin()) - 1;
   for (double offset = turns; offset + length[i] < high;) {
-    const double t = nearest_on_segment(p, points[i], points[i + 1]);
+    const double t = nearest_coordinate(p, points[i], points[i + 1]);
     const double s = std::clamp(offset + length[i] + t * (length[i + 1] - length[i]), low, high);
     const double square = (at(s) - p).squaredNorm();
     if (square < best_square) {
