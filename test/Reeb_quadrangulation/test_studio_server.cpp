@@ -281,7 +281,7 @@ TEST_CASE("32 pages see the same session") {
   for (int i = 0; i < 32; ++i) {
     pages.push_back(std::make_unique<Page_socket>(us));
     REQUIRE(pages.back()->opening.status == 101);
-    CHECK(pages.back()->wait_for("event", "hello")["version"] == 1);
+    CHECK(pages.back()->wait_for("event", "hello")["version"] == 2);
   }
   REQUIRE(ask(us.port, "POST", "/api/upload?name=t.off", us.headers(), torus_file()).status == 200);
   REQUIRE(pages[7]->request({{"id", 1}, {"command", "edit"}, {"edit", {{"edit", "suggest"}}}})["ok"] == true);

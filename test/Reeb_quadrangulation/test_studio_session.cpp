@@ -5,6 +5,7 @@
 #include <server/Client.h>
 #include <server/Folder.h>
 #include <server/Frame.h>
+#include <server/Frame_patch.h>
 #include <server/Request.h>
 #include <server/Store.h>
 #include <server/Worker.h>
@@ -46,6 +47,31 @@ TEST_CASE("frames are encoded as the test vectors of the protocol say") {
     }
     CHECK(*frame.encode() == from_hex(vector["bytes"]));
   }
+}
+
+TEST_CASE("what changed of a layer is said as the test vectors of the protocol say") {
+  const Json patches = vectors()["patches"];
+  REQUIRE(!patches.empty());
+  for (const Json& vector : patches) {
+    CAPTURE(vector["about"].get<std::string>());
+    const auto patch = frame_patch(from_hex(vector["before"]), from_hex(vector["after"]));
+    REQUIRE(patch);
+    CHECK(*patch == from_hex(vector["patch"]));
+  }
+}
+
+TEST_CASE("what changed of a layer is said only where that is shorter") {
+  const auto layer = [](std::uint32_t from) {
+    Frame frame("field");
+    std::vector<float> values;
+    for (std::uint32_t i = 0; i < 1000; ++i) values.push_back(float(from + i * i));
+    frame.add("value", values);
+    return *frame.encode();
+  };
+  CHECK(!frame_patch(layer(0), layer(1)));
+  const auto nothing = frame_patch(layer(1), layer(1));
+  REQUIRE(nothing);
+  CHECK(nothing->size() < 300);
 }
 
 TEST_CASE("requests are taken or refused as the test vectors of the protocol say") {
@@ -311,6 +337,14 @@ TEST_CASE("a slow page gets the newest of the messages that replace each other")
   REQUIRE(outbox.size() == 2);
   CHECK(*outbox.pop().bytes == "reply");
   CHECK(*outbox.pop().bytes == "last");
+  // Changes of a layer that it has not been sent are of no use to it.
+  REQUIRE(outbox.push({"layer", bytes("first"), true}));
+  CHECK(*outbox.pop().bytes == "first");
+  REQUIRE(outbox.push({"layer", bytes("change"), true, bytes("second")}));
+  REQUIRE(outbox.push({"layer", bytes("next change"), true, bytes("third")}));
+  CHECK(*outbox.pop().bytes == "third");
+  REQUIRE(outbox.push({"layer", bytes("last change"), true, bytes("fourth")}));
+  CHECK(*outbox.pop().bytes == "last change");
   int taken = 0;
   while (outbox.push({"", bytes("x"), false})) ++taken;
   CHECK(taken == 1000);

@@ -134,6 +134,30 @@ test("five are undone and redone", async () => {
   assert.deepEqual(again.statistics, last.statistics);
 });
 
+test("a whole pole has a fan of triangles", async () => {
+  await studio.tool("pole", "Whole");
+  const [minimum] = await critical(0);
+  const state = await studio.after(() => studio.clickOn(minimum));
+  assert.match(state.facts.fans, /1 whole pole/);
+  assert.equal(state.certificate.passed, true);
+  await studio.view("quads");
+  await studio.face(minimum);
+  await studio.picture("whole_pole");
+});
+
+test("what changed of the layers, put in edit by edit, makes what a new page is sent", async () => {
+  const layers = () => studio.page.evaluate(() => [...window.studio.connection.layers.values()].filter((f) => f.layer !== "chart").map((frame) => {
+    let hash = 0;
+    for (const array of frame.arrays.values()) for (const byte of new Uint8Array(array.buffer, array.byteOffset, array.byteLength)) hash = (31 * hash + byte) | 0;
+    return `${frame.layer} ${[...frame.arrays].map(([name, array]) => `${name}: ${array.length}`).join(" ")} ${hash}`;
+  }).sort());
+  const patched = await layers();
+  await studio.page.reload();
+  await studio.page.waitForFunction(() => window.studio?.store.get("state")?.finished);
+  assert.equal(patched.length, 9);
+  assert.deepEqual(await layers(), patched);
+});
+
 test("the exported quads are those of the replayed recipe, byte for byte", async () => {
   await studio.page.reload();
   await studio.page.waitForFunction(() => window.studio?.store.get("state")?.finished);

@@ -16,6 +16,8 @@ struct Message {
   std::string key;
   std::shared_ptr<const std::string> bytes;
   bool is_binary = false;
+  /// Where `bytes` only say what changed since the message before with the same key: what to send if that was not sent.
+  std::shared_ptr<const std::string> whole = nullptr;
 };
 
 /// The messages that a page has not taken yet. A page that is slow gets fewer of those that replace each other, and one that

@@ -40,7 +40,9 @@ void Frame::append(const std::string& name, const char* type, const void* values
 }
 
 std::shared_ptr<const std::string> Frame::encode() const {
-  std::string header = Json{{"layer", m_layer}, {"arrays", m_arrays}, {"data", data}}.dump();
+  Json words{{"layer", m_layer}, {"arrays", m_arrays}, {"data", data}};
+  if (!patch.is_null()) words["patch"] = patch;
+  std::string header = words.dump();
   header.append((alignment - header.size() % alignment) % alignment, ' ');
   auto bytes = std::make_shared<std::string>();
   bytes->reserve(alignment + header.size() + m_payload.size());
@@ -50,6 +52,31 @@ std::shared_ptr<const std::string> Frame::encode() const {
   bytes->append(header);
   bytes->append(m_payload);
   return bytes;
+}
+
+Frame_view::Frame_view(const std::string& message) : m_message(message) {
+  std::uint32_t size = 0;
+  for (std::size_t i = 8; i-- > 4;) size = size << 8 | static_cast<unsigned char>(message[i]);
+  m_payload = alignment + size;
+  header =
+      Json::parse(message.begin() + std::ptrdiff_t(alignment), message.begin() + std::ptrdiff_t(m_payload));
+}
+
+std::vector<std::uint8_t> Frame_view::bytes(const std::string& name) const {
+  for (const Json& array : header["arrays"]) {
+    if (array["name"] != name) continue;
+    const auto begin = m_message.begin() + std::ptrdiff_t(m_payload + array["offset"].get<std::size_t>());
+    const std::size_t size = array["type"] == "u8" ? 1 : 4;
+    return {begin, begin + std::ptrdiff_t(size * array["length"].get<std::size_t>())};
+  }
+  return {};
+}
+
+std::vector<std::uint32_t> Frame_view::words(const std::string& name) const {
+  const std::vector<std::uint8_t> all = bytes(name);
+  std::vector<std::uint32_t> numbers(all.size() / 4);
+  for (std::size_t i = 0; i < all.size(); ++i) numbers[i / 4] |= std::uint32_t(all[i]) << 8 * (i % 4);
+  return numbers;
 }
 
 } // namespace studio

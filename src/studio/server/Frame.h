@@ -17,7 +17,7 @@ namespace studio {
 using Json = nlohmann::json;
 
 /// The version of the protocol that this program speaks; see src/studio/protocol.md.
-constexpr int protocol_version = 1;
+constexpr int protocol_version = 2;
 
 /// A binary message: named arrays of numbers and a few words about them, as the protocol describes it.
 class Frame {
@@ -25,6 +25,7 @@ public:
   explicit Frame(std::string layer) : m_layer(std::move(layer)) {}
 
   Json data = Json::object(); ///< the words
+  Json patch = nullptr;       ///< where the message is one: the arrays that it makes; see `frame_patch()`
 
   void add(const std::string& name, const std::vector<float>& values) { append(name, "f32", values); }
   void add(const std::string& name, const std::vector<std::uint32_t>& values) { append(name, "u32", values); }
@@ -55,6 +56,22 @@ private:
   std::string m_layer;
   Json m_arrays = Json::array();
   std::string m_payload;
+};
+
+/// Reads what `Frame` encoded.
+class Frame_view {
+public:
+  /// Keeps a reference to `message`.
+  explicit Frame_view(const std::string& message);
+
+  Json header; ///< `layer`, `arrays`, `data`, `patch`
+  /// The numbers of an array of bytes, or the bits of those of an array of another type; none if there is no such array.
+  std::vector<std::uint8_t> bytes(const std::string& name) const;
+  std::vector<std::uint32_t> words(const std::string& name) const;
+
+private:
+  const std::string& m_message;
+  std::size_t m_payload;
 };
 
 } // namespace studio

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Hub.h"
 
+#include "Frame_patch.h"
+
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 
 #include <algorithm>
@@ -245,27 +247,39 @@ void Hub::download(std::string what, Download done_) {
       });
 }
 
+// A layer that is the same as before keeps its bytes, and so nobody is sent it again; but with a new surface the values on it are
+// sent anew.
 void Hub::publish_from_worker() {
   if (m_session->revision() == m_published) return;
   m_published = m_session->revision();
-  Layers layers = m_session->layers();
+  Layers layers = m_session->layers(), patches;
+  const auto before = [&](const std::string& name) -> std::shared_ptr<const std::string> {
+    const auto found = m_published_layers.find(name);
+    return found == m_published_layers.end() ? nullptr : found->second;
+  };
+  const auto same = [&](const std::string& name) {
+    const auto now = layers.find(name);
+    const auto old = before(name);
+    return old && now != layers.end() && (old == now->second || *old == *now->second);
+  };
+  const bool same_surface = same("surface");
+  for (auto& [name, bytes] : layers) {
+    if (!same_surface && (name == "cuts" || name == "field" || name == "charts")) continue;
+    if (same(name))
+      bytes = before(name);
+    else if (const auto old = before(name); old && same_surface)
+      patches[name] = frame_patch(*old, *bytes);
+  }
+  m_published_layers = layers;
   auto state = text_of(m_session->state());
-  m_post([this, layers = std::move(layers), state = std::move(state)]() mutable {
-    // A layer that is the same as before keeps its bytes, and so nobody is sent it again; but with a new surface the values
-    // on it are sent anew.
-    const auto same = [&](const std::string& name) {
-      const auto before = m_layers.find(name), after = layers.find(name);
-      if (before == m_layers.end() || after == layers.end()) return false;
-      return before->second == after->second || *before->second == *after->second;
-    };
-    const bool same_surface = same("surface");
-    for (auto& [name, bytes] : layers)
-      if (same(name) && (same_surface || (name != "cuts" && name != "field" && name != "charts")))
-        bytes = m_layers[name];
-    m_layers = std::move(layers);
-    m_state = std::move(state);
-    publish();
-  });
+  m_post(
+      [this, layers = std::move(layers), patches = std::move(patches), state = std::move(state)]() mutable {
+        m_layers_before = std::move(m_layers);
+        m_layers = std::move(layers);
+        m_patches = std::move(patches);
+        m_state = std::move(state);
+        publish();
+      });
 }
 
 void Hub::publish() {
@@ -277,16 +291,20 @@ void Hub::publish() {
 
 void Hub::send_layers(Client& client) const {
   // The surface first: other layers give values to its vertices and faces.
-  constexpr std::array<const char*, 8> order{"surface",  "cuts",     "field", "charts",
-                                             "contours", "critical", "reeb",  "quads"};
+  constexpr std::array order{"surface",  "cuts", "field",    "charts", "contours",
+                             "critical", "reeb", "textures", "quads"};
   for (const char* name : order) {
     const auto current = m_layers.find(name);
     const auto bytes = current == m_layers.end() ? nullptr : current->second;
     auto& sent = client.layers[name];
     if (sent == bytes) continue;
-    sent = bytes;
     const std::string key = std::string("layer ") + name;
-    if (bytes)
+    const auto patch = m_patches.find(name), before = m_layers_before.find(name);
+    const bool is_current = sent && before != m_layers_before.end() && before->second == sent;
+    sent = bytes;
+    if (bytes && is_current && patch != m_patches.end() && patch->second)
+      client.send({key, patch->second, true, bytes});
+    else if (bytes)
       client.send({key, bytes, true});
     else
       client.send({key, text_of({{"event", "no_layer"}, {"layer", name}}), false});

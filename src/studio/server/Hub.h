@@ -49,6 +49,7 @@ private:
   /// Tells the pages the session as it is; called by the worker's thread.
   void publish_from_worker();
   void publish();
+  /// Sends the layers that changed; where the client has `m_layers_before`, only what changed of them.
   void send_layers(Client& client) const;
   void broadcast(const std::string& key, const Json& json);
 
@@ -57,11 +58,16 @@ private:
   /// The replies that are owed, and how to give them early.
   std::map<std::int64_t, std::function<void(Result<Json>)>> m_owed;
   std::int64_t m_next_owed = 0;
-  Layers m_layers; ///< as published last
+  Layers m_layers, m_layers_before; ///< as published last, and the time before
+  Layers m_patches;                 ///< what makes those of these; some have none
   std::shared_ptr<const std::string> m_state;
-  std::unique_ptr<Session> m_session; ///< the worker's
-  std::int64_t m_published = -1;      ///< the worker's
-  std::unique_ptr<Worker> m_worker;   // last: it uses the others
+  /// \name The worker's
+  /// @{
+  std::unique_ptr<Session> m_session;
+  std::int64_t m_published = -1;
+  Layers m_published_layers;
+  /// @}
+  std::unique_ptr<Worker> m_worker; // last: it uses the others
 };
 
 } // namespace studio

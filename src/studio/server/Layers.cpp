@@ -6,6 +6,7 @@
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace reebquad {
 namespace studio {
@@ -21,37 +22,52 @@ Frame surface_frame(const Triangle_surface& surface, const Point& origin) {
   return frame;
 }
 
-/// The faces that contours cross, in pieces: what of the embedded surface is not the surface's own.
-Frame cuts_frame(const Charted_surface& charted, const Point& origin) {
+std::int32_t chart_id(const Layer_source& source, int chart) {
+  return chart < 0 ? -1 : source.chart_ids[chart];
+}
+
+/// The faces that contours cross, in pieces: what of the embedded surface is not the surface's own, with all that is known there.
+Frame cuts_frame(const Layer_source& source) {
+  const Charted_surface& charted = *source.charted;
   const Triangle_surface &base = charted.base, &cut = charted.embedding.surface;
-  Frame frame("cuts");
-  std::vector<std::uint32_t> face, base_face, triangle;
-  for (int f = 0; f < cut.number_of_faces(); ++f) {
-    if (f < base.number_of_faces() && cut.triangles[f] == base.triangles[f]) continue;
-    face.push_back(std::uint32_t(f));
+  const auto first = std::ptrdiff_t(base.points.size());
+  std::vector<int> pieces;
+  for (int f = 0; f < cut.number_of_faces(); ++f)
+    if (f >= base.number_of_faces() || cut.triangles[f] != base.triangles[f]) pieces.push_back(f);
+  // By the face that they lie in: so an edit leaves most of the order as it is.
+  std::stable_sort(pieces.begin(), pieces.end(), [&](int a, int b) {
+    return charted.embedding.base_face[a] < charted.embedding.base_face[b];
+  });
+  std::vector<std::uint32_t> base_face, triangle;
+  std::vector<std::int32_t> charts;
+  for (const int f : pieces) {
     base_face.push_back(std::uint32_t(charted.embedding.base_face[f]));
     for (const int v : cut.triangles[f]) triangle.push_back(std::uint32_t(v));
+    charts.push_back(chart_id(source, charted.chart_of_face[f]));
   }
-  frame.add_points("position", {cut.points.begin() + std::ptrdiff_t(base.points.size()), cut.points.end()},
-                   origin);
-  frame.add("face", face);
+  Frame frame("cuts");
+  frame.add_points("position", {cut.points.begin() + first, cut.points.end()}, source.origin);
+  frame.add("value", std::vector<float>(charted.values.begin() + first, charted.values.end()));
   frame.add("base", base_face);
   frame.add("triangle", triangle);
+  frame.add("chart", charts);
   return frame;
 }
 
-Frame field_frame(const std::vector<double>& values) {
+Frame field_frame(const Charted_surface& charted) {
   Frame frame("field");
-  frame.add("value", std::vector<float>(values.begin(), values.end()));
+  const auto begin = charted.values.begin();
+  frame.add("value", std::vector<float>(begin, begin + std::ptrdiff_t(charted.base.points.size())));
   return frame;
 }
 
+/// A face that contours cross has the chart of its first piece here.
 Frame charts_frame(const Layer_source& source) {
   Frame frame("charts");
   std::vector<std::int32_t> charts;
-  charts.reserve(source.charted->chart_of_face.size());
-  for (const int chart : source.charted->chart_of_face)
-    charts.push_back(chart < 0 ? -1 : source.chart_ids[chart]);
+  charts.reserve(source.charted->base.triangles.size());
+  for (std::size_t f = 0; f < source.charted->base.triangles.size(); ++f)
+    charts.push_back(chart_id(source, source.charted->chart_of_face[f]));
   frame.add("chart", charts);
   return frame;
 }
@@ -152,7 +168,8 @@ Valences valences(const Quad_mesh& mesh) {
   edges.reserve(4 * mesh.quads.size());
   for (const Quad& q : mesh.quads)
     for (int i = 0; i < 4; ++i)
-      edges.push_back({std::min(q[i], q[(i + 1) % 4]), std::max(q[i], q[(i + 1) % 4])});
+      if (q[i] != q[(i + 1) % 4])
+        edges.push_back({std::min(q[i], q[(i + 1) % 4]), std::max(q[i], q[(i + 1) % 4])});
   std::sort(edges.begin(), edges.end());
   Valences result{std::vector<int>(mesh.points.size(), 0), std::vector<char>(mesh.points.size(), false)};
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
@@ -178,8 +195,9 @@ Frame quads_frame(const Layer_source& source) {
   std::vector<float> quality;
   quality.reserve(mesh.quads.size());
   for (const Quad& q : mesh.quads)
-    quality.push_back(
-        float(scaled_jacobian(mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]])));
+    quality.push_back(q[2] == q[3] ? std::numeric_limits<float>::quiet_NaN()
+                                   : float(scaled_jacobian(mesh.points[q[0]], mesh.points[q[1]],
+                                                           mesh.points[q[2]], mesh.points[q[3]])));
   const Valences all = valences(mesh);
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint8_t> numbers, boundary;
@@ -193,7 +211,7 @@ Frame quads_frame(const Layer_source& source) {
   frame.add_indices("quad", mesh.quads);
   frame.add("quality", quality);
   std::vector<std::int32_t> charts;
-  for (const int chart : source.chart_of_quad) charts.push_back(chart < 0 ? -1 : source.chart_ids[chart]);
+  for (const int chart : source.chart_of_quad) charts.push_back(chart_id(source, chart));
   frame.add("chart", charts);
   frame.add("irregular_vertex", vertices);
   frame.add("irregular_valence", numbers);
@@ -207,8 +225,8 @@ Layers make_layers(const Layer_source& source) {
   Layers layers;
   if (source.surface) layers["surface"] = surface_frame(*source.surface, source.origin).encode();
   if (source.charted) {
-    layers["cuts"] = cuts_frame(*source.charted, source.origin).encode();
-    layers["field"] = field_frame(source.charted->values).encode();
+    layers["cuts"] = cuts_frame(source).encode();
+    layers["field"] = field_frame(*source.charted).encode();
     layers["charts"] = charts_frame(source).encode();
     layers["contours"] = contours_frame(source).encode();
     layers["critical"] = critical_frame(source).encode();

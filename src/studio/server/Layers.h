@@ -35,8 +35,9 @@ struct Layer_source {
   std::vector<CGAL::Reeb_quadrangulation::Design_extremum> extrema;
   std::vector<int> counts; ///< of quads along contour edges, where they are known
 
-  const CGAL::Reeb_quadrangulation::Quad_mesh* textures = nullptr; ///< the quads as they are on the charts
-  const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr;    ///< the same when they are relaxed
+  /// The quads as they are on the charts. A triangle is a quad whose last corner stands twice, also in `quads`.
+  const CGAL::Reeb_quadrangulation::Quad_mesh* textures = nullptr;
+  const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr; ///< the same when they are relaxed
   std::vector<int> chart_of_quad;
 };
 

@@ -273,7 +273,7 @@ void Session::measure() {
 }
 
 void Session::certify_quads(bool wholly, const Observer* observer) {
-  const Stitched_mesh& quads = *m_work->quads();
+  const Stitched_mesh quads = with_paired_fans(*m_work->quads(), m_work->fans());
   Certificate_options options;
   options.measure_distance = options.find_self_intersections = wholly;
   options.observer = observer;
@@ -297,7 +297,7 @@ Result<std::string> Session::export_quads(const std::string& extension, Observer
     return make_error(Error_code::impossible_request, "there are no quads yet");
   if (Result<void> finished = finish(observer); !finished) return finished.error();
   const Mesh_format format = format_of_extension("quads." + extension);
-  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(m_work->quads()->mesh), format);
+  Result<Encoded_mesh> encoded = encode_mesh(with_fans(m_work->quads()->mesh, m_work->fans()), format);
   if (!encoded) return encoded.error();
   return std::move(encoded->bytes);
 }
@@ -348,9 +348,13 @@ Json Session::history() const {
 Json Session::budget() const {
   Json interior = Json::object(), boundary = Json::object();
   if (m_statistics) {
-    for (const auto& [valence, number] : m_statistics->interior_valences)
+    // Two triangles of a fan count as a quad: the sum is the same.
+    const Mesh_statistics statistics =
+        m_work->fans().empty() ? *m_statistics
+                               : quad_statistics(with_paired_fans(*m_work->quads(), m_work->fans()).mesh);
+    for (const auto& [valence, number] : statistics.interior_valences)
       interior[std::to_string(valence)] = number;
-    for (const auto& [valence, number] : m_statistics->boundary_valences)
+    for (const auto& [valence, number] : statistics.boundary_valences)
       boundary[std::to_string(valence)] = number;
   }
   return {{"needed", 4 * m_file["euler_characteristic"].get<int>()},

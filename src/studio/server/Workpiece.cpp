@@ -68,6 +68,28 @@ void add_names(Frame& frame, const Design_chart& chart, const Point& origin) {
   add("corner_point", corners);
 }
 
+/// Quads and fans as they are drawn: a triangle is a quad whose last corner stands twice.
+Quad_mesh drawn(const Quad_mesh& quads, const std::vector<Pole_fan>& fans) {
+  Quad_mesh mesh = quads;
+  for (const Pole_fan& fan : fans) {
+    const int pole = int(mesh.points.size());
+    mesh.points.push_back(fan.pole);
+    for (std::size_t i = 0; i < fan.ring.size(); ++i) {
+      const int next = fan.ring[(i + 1) % fan.ring.size()];
+      mesh.quads.push_back({pole, fan.ring[i], next, next});
+    }
+  }
+  return mesh;
+}
+
+/// The chart in which a fan lies: that of the quads around it.
+int chart_of(const Pole_fan& fan, const Stitched_mesh& quads) {
+  for (std::size_t q = 0; q < quads.mesh.quads.size(); ++q)
+    for (const int v : quads.mesh.quads[q])
+      if (v == fan.ring[0]) return quads.chart_of_quad[q];
+  return -1;
+}
+
 Json chart_json(const Design_chart& chart) {
   return {{"id", chart.id},
           {"kind", chart.chart->kind == Chart_kind::disc ? "disc" : "annulus"},
@@ -148,7 +170,8 @@ void Workpiece::stitch() {
     m_quads.reset();
   else
     m_quads = m_editor.quads();
-  m_stitched = m_quads ? m_quads->mesh : Quad_mesh();
+  m_fans = m_quads ? pole_fans(m_editor.design(), *m_quads) : std::vector<Pole_fan>();
+  m_stitched = m_quads ? drawn(m_quads->mesh, m_fans) : Quad_mesh();
 }
 
 Result<void> Workpiece::finish(Observer* observer) {
@@ -156,6 +179,7 @@ Result<void> Workpiece::finish(Observer* observer) {
   Result<Stitched_mesh> finished = m_editor.finished_quads({}, {}, observer);
   if (!finished) return finished.error();
   m_quads = std::move(*finished);
+  m_fans = pole_fans(m_editor.design(), *m_quads);
   m_finished = true;
   return {};
 }
@@ -185,10 +209,14 @@ Layers Workpiece::layers() const {
   for (const auto& chart : design.charts) source.chart_ids.push_back(chart->id);
   source.extrema = design.extrema;
   source.counts = design.samples.counts;
+  Quad_mesh quads;
   if (m_quads) {
+    quads = drawn(m_quads->mesh, m_fans);
     source.textures = &m_stitched;
-    source.quads = &m_quads->mesh;
+    source.quads = &quads;
     source.chart_of_quad = m_quads->chart_of_quad;
+    for (const Pole_fan& fan : m_fans)
+      source.chart_of_quad.insert(source.chart_of_quad.end(), fan.ring.size(), chart_of(fan, *m_quads));
   }
   Layers layers = make_layers(source);
   layers.insert(m_surface.begin(), m_surface.end());
@@ -205,7 +233,8 @@ Json Workpiece::facts() const {
   return {{"charts", charts},
           {"extrema", extrema},
           {"target_quads", design.target_quads},
-          {"edge_length", design.edge_length}};
+          {"edge_length", design.edge_length},
+          {"fans", fan_sentence(m_fans)}};
 }
 
 Result<std::shared_ptr<const std::string>> Workpiece::chart(int id) const {

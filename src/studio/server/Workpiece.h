@@ -5,6 +5,7 @@
 #include "Layers.h"
 
 #include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/pole_fans.h>
 
 #include <memory>
 #include <optional>
@@ -51,6 +52,8 @@ public:
   const CGAL::Reeb_quadrangulation::Triangle_surface& surface() const { return m_editor.input(); }
   /// The quads with the valences that the layout predicts, or null while there are none.
   const CGAL::Reeb_quadrangulation::Stitched_mesh* quads() const { return m_quads ? &*m_quads : nullptr; }
+  /// Fans of triangles, which fill the quads' holes at whole poles.
+  const std::vector<CGAL::Reeb_quadrangulation::Pole_fan>& fans() const { return m_fans; }
   bool is_finished() const { return m_finished || !m_quads; }
 
 private:
@@ -61,7 +64,8 @@ private:
   CGAL::Reeb_quadrangulation::Point m_origin;
   Layers m_surface; ///< the layer of the surface, which no edit changes
   std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
-  CGAL::Reeb_quadrangulation::Quad_mesh m_stitched; ///< the quads before they were finished
+  std::vector<CGAL::Reeb_quadrangulation::Pole_fan> m_fans; ///< of `m_quads`
+  CGAL::Reeb_quadrangulation::Quad_mesh m_stitched;         ///< the quads and fans before they were finished
   bool m_finished = false;
   bool m_withdrawn = false; ///< the last edit, which could be redone, was taken back for good
 };

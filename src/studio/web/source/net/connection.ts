@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line to the program: the token's exchange, requests and replies over the WebSocket, uploads and downloads.
-import { decodeFrame, type Frame } from "./frame";
+import { decodeFrame, patched, type Frame } from "./frame";
 import type { Edit, Failure, ServerMessage, State } from "./messages";
 
 export class RequestError extends Error {
@@ -33,9 +33,13 @@ export class Connection {
   private attempts = 0;
   private waiting = new Map<number, { resolve: (value: unknown) => void; reject: (error: Error) => void }>();
 
+  /** The layers as they are, for messages that say what changed of them. */
+  private layers = new Map<string, Frame>();
+
   constructor(private readonly listener: Listener) {}
 
   open(): void {
+    this.layers.clear();
     const socket = new WebSocket(`ws://${location.host}/api/socket`);
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
@@ -72,7 +76,7 @@ export class Connection {
   }
 
   private take(data: string | ArrayBuffer): void {
-    if (data instanceof ArrayBuffer) return this.listener.frame(decodeFrame(data));
+    if (data instanceof ArrayBuffer) return this.takeFrame(decodeFrame(data));
     const message = JSON.parse(data) as ServerMessage;
     if ("reply" in message) {
       const entry = this.waiting.get(message.reply);
@@ -83,6 +87,12 @@ export class Connection {
     else if (message.event === "progress") this.listener.progress(message.stage, message.fraction);
     else if (message.event === "no_layer") this.listener.layerGone(message.layer);
     else if (message.event === "trouble") this.listener.trouble(message.message);
+  }
+
+  private takeFrame(message: Frame): void {
+    const frame = patched(this.layers.get(message.layer), message);
+    this.layers.set(frame.layer, frame);
+    this.listener.frame(frame);
   }
 
   private lost(): void {

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Binary messages: named arrays and a few words about them. src/studio/protocol.md describes the bytes.
 
-export const protocolVersion = 1;
+export const protocolVersion = 2;
 
 export type NumberArray = Float32Array | Uint32Array | Int32Array | Uint8Array;
+
+interface Made {
+  name: string;
+  type: "f32" | "u32" | "i32" | "u8";
+  length: number;
+}
+interface ArrayHeader extends Made {
+  offset: number;
+}
 
 export interface Frame {
   layer: string;
   data: Record<string, unknown>;
   arrays: Map<string, NumberArray>;
-}
-
-interface ArrayHeader {
-  name: string;
-  type: "f32" | "u32" | "i32" | "u8";
-  offset: number;
-  length: number;
+  /** Of a message that says what changed of the layer: the arrays that it makes. */
+  patch?: Made[];
 }
 
 const makers = {
@@ -38,10 +42,69 @@ export function decodeFrame(bytes: ArrayBuffer): Frame {
     layer: string;
     arrays: ArrayHeader[];
     data: Record<string, unknown>;
+    patch?: Made[];
   };
   const arrays = new Map<string, NumberArray>();
   for (const { name, type, offset, length } of header.arrays) arrays.set(name, makers[type](bytes, payload + offset, length));
-  return { layer: header.layer, data: header.data, arrays };
+  return { layer: header.layer, data: header.data, arrays, ...(header.patch && { patch: header.patch }) };
+}
+
+/** The layer that a message makes of the layer that was there; the message itself if it is whole. */
+export function patched(before: Frame | undefined, message: Frame): Frame {
+  if (!message.patch) return message;
+  if (!before) throw new Error(`what changed of ${message.layer} came before the layer`);
+  const arrays = new Map<string, NumberArray>();
+  for (const made of message.patch) arrays.set(made.name, patchedArray(before.arrays.get(made.name), message, made));
+  return { layer: message.layer, data: message.data, arrays };
+}
+
+/** The bits of an array's numbers. */
+function bits(array: NumberArray): Uint8Array | Uint32Array {
+  return array instanceof Uint8Array ? array : new Uint32Array(array.buffer, array.byteOffset, array.length);
+}
+
+function patchedArray(before: NumberArray | undefined, message: Frame, made: Made): NumberArray {
+  const steps = message.arrays.get(`${made.name}.steps`), fresh = message.arrays.get(made.name);
+  if (!steps || !fresh) throw new Error(`${message.layer} does not say what changed of '${made.name}'`);
+  const old = renamed(before ? bits(before) : new Uint32Array(), message, made.name), repeats = made.type === "i32";
+  const out = makers[made.type](new ArrayBuffer(made.length * (made.type === "u8" ? 1 : 4)), 0, made.length);
+  const to = bits(out);
+  let read = 0, from = 0, at = 0, taken = 0;
+  const number = (): number => {
+    let value = 0, scale = 1;
+    for (;;) {
+      const byte = steps[read++];
+      if (byte === undefined) throw new Error(`what changed of ${message.layer} is cut off`);
+      value += (byte & 127) * scale;
+      if (byte < 128) return value;
+      scale *= 128;
+    }
+  };
+  while (at < made.length) {
+    const length = number();
+    if (length > 0) {
+      const shift = number();
+      from += shift % 2 ? -(shift + 1) / 2 : shift / 2;
+      if (from < 0 || from + length > old.length) throw new Error(`${message.layer} is another one than the program knows`);
+      to.set(old.subarray(from, from + length), at);
+      from += length;
+      at += length;
+    }
+    const added = number();
+    if (repeats && added > 0) to.fill(fresh[taken++]!, at, at + added);
+    else if (added > 0) to.set(fresh.subarray(taken, (taken += added)), at);
+    from += added;
+    at += added;
+  }
+  return out;
+}
+
+/** The old numbers, with those that are called otherwise now under their new name. */
+function renamed(old: Uint8Array | Uint32Array, message: Frame, name: string): Uint8Array | Uint32Array {
+  const from = message.arrays.get(`${name}.from`), to = message.arrays.get(`${name}.to`);
+  if (!from || !to) return old;
+  const names = new Map(Array.from(from, (value, i) => [value, to[i]!]));
+  return old.map((value: number) => names.get(value) ?? value);
 }
 
 /** An array of a frame that must be there. */

@@ -67,7 +67,7 @@ export interface State {
   last_session?: { name: string; edits: number };
   history?: HistoryStep[];
   applied?: number;
-  facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number };
+  facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number; fans: string };
   /** Whether the quads are relaxed already. */
   finished?: boolean;
   budget?: { needed: number; interior: Record<string, number>; boundary: Record<string, number> };

@@ -126,7 +126,7 @@ export class Quads {
   private colourOf(q: number): Rgb {
     const quality = this.quality[q]!;
     if (this.lit) return this.lit(quality) ? [1, 0.62, 0.15] : [0.45, 0.46, 0.48];
-    if (this.colour === "quality") return qualityColour(quality);
+    if (this.colour === "quality" && !Number.isNaN(quality)) return qualityColour(quality); // a fan's triangles have none
     if (this.colour === "charts") return chartColour(this.charts[q] ?? -1);
     return this.plain;
   }
@@ -139,6 +139,7 @@ export function edgePairs(positions: Float32Array, corners: Uint32Array): Float3
   for (let q = 0; q < corners.length; q += 4)
     for (let i = 0; i < 4; ++i) {
       const a = corners[q + i]!, b = corners[q + ((i + 1) % 4)]!;
+      if (a === b) continue; // a triangle
       const key = Math.min(a, b) * points + Math.max(a, b);
       if (seen.has(key)) continue;
       seen.add(key);

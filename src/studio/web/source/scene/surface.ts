@@ -16,27 +16,26 @@ const hidden = -2; // the chart of a face that is drawn in pieces
 const mostDraped = 4000, drapePieces = 7;
 
 interface Cuts {
+  /** Of the vertices on contours, which are numbered after the surface's. */
   position: Float32Array;
-  /** Of each piece: the face that it is, and the face of the surface that it lies in. */
-  face: Uint32Array;
+  value: Float32Array;
+  /** Of each piece: the face of the surface that it lies in, its corners and its chart. */
   base: Uint32Array;
   triangle: Uint32Array;
+  chart: Int32Array;
 }
-const noCuts: Cuts = { position: new Float32Array(), face: new Uint32Array(), base: new Uint32Array(), triangle: new Uint32Array() };
+const noCuts: Cuts = { position: new Float32Array(), value: new Float32Array(), base: new Uint32Array(), triangle: new Uint32Array(), chart: new Int32Array() };
 
 export class Surface {
   readonly material = surfaceMaterial();
   readonly group = new THREE.Group();
-  /** Of the surface with its cuts. */
   positions = new Float32Array();
   triangles = new Uint32Array();
-  values: Float32Array = new Float32Array();
-  chartOfFace: Int32Array = new Int32Array();
   radius = 1;
+  private values: Float32Array = new Float32Array();
+  private chartOfFace: Int32Array = new Int32Array();
   private readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
   private readonly pieces = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
-  private basePositions = new Float32Array();
-  private baseTriangles = new Uint32Array();
   private normals = new Float32Array();
   private cuts = noCuts;
   private piecesOf = new Map<number, number[]>();
@@ -57,18 +56,18 @@ export class Surface {
 
   /** Corners are not shared between triangles, so that a triangle has one colour. */
   setSurface(frame: Frame): void {
-    this.basePositions = floats(frame, "position") as Float32Array<ArrayBuffer>;
-    this.baseTriangles = indices(frame, "triangle") as Uint32Array<ArrayBuffer>;
+    this.positions = floats(frame, "position") as Float32Array<ArrayBuffer>;
+    this.triangles = indices(frame, "triangle") as Uint32Array<ArrayBuffer>;
     this.picking = null;
-    this.normals = vertexNormals(this.basePositions, this.baseTriangles);
-    const geometry = new THREE.BufferGeometry(), corners = this.baseTriangles.length;
-    geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.basePositions, this.baseTriangles, 3), 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(spread(this.normals, this.baseTriangles, 3), 3));
+    this.normals = vertexNormals(this.positions, this.triangles);
+    const geometry = new THREE.BufferGeometry(), corners = this.triangles.length;
+    geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.positions, this.triangles, 3), 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(spread(this.normals, this.triangles, 3), 3));
     geometry.setAttribute("field", new THREE.BufferAttribute(new Float32Array(corners), 1));
     geometry.setAttribute("chart", new THREE.BufferAttribute(new Float32Array(corners), 1));
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
-    this.radius = radiusOf(this.basePositions);
+    this.radius = radiusOf(this.positions);
     this.clearDesign();
   }
 
@@ -79,7 +78,9 @@ export class Surface {
   }
 
   setCuts(frame: Frame): void {
-    this.cut({ position: floats(frame, "position"), face: indices(frame, "face"), base: indices(frame, "base"), triangle: indices(frame, "triangle") });
+    this.cut({
+      position: floats(frame, "position"), value: floats(frame, "value"), base: indices(frame, "base"), triangle: indices(frame, "triangle"), chart: integers(frame, "chart"),
+    });
   }
 
   setField(frame: Frame): void {
@@ -99,18 +100,19 @@ export class Surface {
     const charts = this.mesh.geometry.getAttribute("chart") as THREE.BufferAttribute | undefined;
     if (!charts) return;
     const chartOfCorner = charts.array as Float32Array;
-    for (let f = 0; f < this.baseTriangles.length / 3; ++f) chartOfCorner.fill(this.chartOfFace[f] ?? -1, 3 * f, 3 * f + 3);
+    for (let f = 0; f < this.triangles.length / 3; ++f) chartOfCorner.fill(this.chartOfFace[f] ?? -1, 3 * f, 3 * f + 3);
     for (const f of this.cuts.base) chartOfCorner.fill(hidden, 3 * f, 3 * f + 3);
     charts.needsUpdate = true;
     if (this.hasField) {
       const field = this.mesh.geometry.getAttribute("field") as THREE.BufferAttribute;
-      spreadInto(field.array as Float32Array, this.values, this.baseTriangles, 1);
+      spreadInto(field.array as Float32Array, this.values, this.triangles, 1);
       field.needsUpdate = true;
       let low = Infinity, high = -Infinity;
-      for (const value of this.values) {
-        low = Math.min(low, value);
-        high = Math.max(high, value);
-      }
+      for (const values of [this.values, this.cuts.value])
+        for (const value of values) {
+          low = Math.min(low, value);
+          high = Math.max(high, value);
+        }
       this.material.uniforms.lowest!.value = low;
       this.material.uniforms.highest!.value = high;
     }
@@ -135,24 +137,28 @@ export class Surface {
     ray.firstHitOnly = true;
     const [hit] = ray.intersectObject(this.picker(), false);
     if (!hit || hit.faceIndex == null) return null;
-    return { point: hit.point.clone(), chart: this.chartOfFace[this.faceAt(hit.faceIndex, hit.point)] ?? -1 };
+    return { point: hit.point.clone(), chart: this.chartAt(hit.faceIndex, hit.point) };
   }
 
+  /** A vertex of the surface, or one on a contour. */
   vertex(v: number): THREE.Vector3 {
-    return new THREE.Vector3().fromArray(this.positions, 3 * v);
+    const { length } = this.positions;
+    return 3 * v < length ? new THREE.Vector3().fromArray(this.positions, 3 * v) : new THREE.Vector3().fromArray(this.cuts.position, 3 * v - length);
   }
 
   /** A vertex well inside a chart: with only faces of it around, the middle one of these by the field's value. */
   insideOf(chart: number): THREE.Vector3 | null {
     const owner = new Int8Array(this.positions.length / 3); // 0 no face of it, 1 only such faces, 2 also others
-    for (let f = 0; f < this.chartOfFace.length; ++f) {
-      const inside = this.chartOfFace[f] === chart;
-      for (let i = 3 * f; i < 3 * f + 3; ++i) {
-        const v = this.triangles[i]!;
+    const claim = (triangles: Uint32Array, face: number, inside: boolean): void => {
+      for (let i = 3 * face; i < 3 * face + 3; ++i) {
+        const v = triangles[i]!;
+        if (v >= owner.length) continue; // on a contour
         if (!inside) owner[v] = 2;
         else if (owner[v] === 0) owner[v] = 1;
       }
-    }
+    };
+    for (let f = 0; f < this.chartOfFace.length; ++f) claim(this.triangles, f, this.chartOfFace[f] === chart);
+    this.cuts.chart.forEach((other, piece) => claim(this.cuts.triangle, piece, other === chart));
     const inner: number[] = [];
     owner.forEach((kind, v) => kind === 1 && inner.push(v));
     if (inner.length === 0) return null;
@@ -210,83 +216,70 @@ export class Surface {
 
   private cut(cuts: Cuts): void {
     this.cuts = cuts;
-    this.positions = joined(this.basePositions, cuts.position);
-    const faces = cuts.face.reduce((most, f) => Math.max(most, f + 1), this.baseTriangles.length / 3);
-    this.triangles = new Uint32Array(3 * faces);
-    this.triangles.set(this.baseTriangles);
     this.piecesOf = new Map();
-    cuts.base.forEach((base, i) => {
-      for (let k = 0; k < 3; ++k) this.triangles[3 * cuts.face[i]! + k] = cuts.triangle[3 * i + k]!;
+    cuts.base.forEach((base, piece) => {
       const pieces = this.piecesOf.get(base);
-      if (pieces) pieces.push(cuts.face[i]!);
-      else this.piecesOf.set(base, [cuts.face[i]!]);
+      if (pieces) pieces.push(piece);
+      else this.piecesOf.set(base, [piece]);
     });
     this.stale = true;
   }
 
   // A vertex on a contour has the normal that the surface's shading has there.
   private makePieces(): void {
-    const { triangle, base, face } = this.cuts, vertices = this.basePositions.length / 3;
-    const normals = new Float32Array(3 * triangle.length), charts = new Float32Array(triangle.length), normal = new THREE.Vector3();
+    const { triangle, base, chart, value } = this.cuts, vertices = this.positions.length / 3;
+    const positions = new Float32Array(3 * triangle.length), normals = new Float32Array(3 * triangle.length);
+    const fields = new Float32Array(triangle.length), charts = new Float32Array(triangle.length), normal = new THREE.Vector3();
     triangle.forEach((v, corner) => {
-      const piece = Math.floor(corner / 3);
-      charts[corner] = this.chartOfFace[face[piece]!] ?? -1;
+      const piece = Math.floor(corner / 3), point = this.vertex(v);
       if (v < vertices) normal.fromArray(this.normals, 3 * v);
-      else this.normalIn(base[piece]!, this.vertex(v), normal);
+      else this.normalIn(base[piece]!, point, normal);
+      point.toArray(positions, 3 * corner);
       normal.toArray(normals, 3 * corner);
+      fields[corner] = (v < vertices ? this.values[v] : value[v - vertices]) ?? 0;
+      charts[corner] = chart[piece]!;
     });
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.positions, triangle, 3), 3));
+    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
-    geometry.setAttribute("field", new THREE.BufferAttribute(spread(this.values, triangle, 1), 1));
+    geometry.setAttribute("field", new THREE.BufferAttribute(fields, 1));
     geometry.setAttribute("chart", new THREE.BufferAttribute(charts, 1));
     this.pieces.geometry.dispose();
     this.pieces.geometry = geometry;
     this.pieces.visible = triangle.length > 0;
   }
 
-  private corners(face: number): [number, number, number] {
-    return [this.triangles[3 * face]!, this.triangles[3 * face + 1]!, this.triangles[3 * face + 2]!];
-  }
-
   private normalIn(baseFace: number, point: THREE.Vector3, normal: THREE.Vector3): void {
-    const [a, b, c] = [0, 1, 2].map((k) => this.baseTriangles[3 * baseFace + k]!) as [number, number, number];
+    const [a, b, c] = [0, 1, 2].map((k) => this.triangles[3 * baseFace + k]!) as [number, number, number];
     const at = THREE.Triangle.getBarycoord(point, this.vertex(a), this.vertex(b), this.vertex(c), new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
     normal.set(0, 0, 0);
     [a, b, c].forEach((v, k) => normal.addScaledVector(new THREE.Vector3().fromArray(this.normals, 3 * v), at.getComponent(k)));
   }
 
-  /** The face, or the piece of it, that contains a point of a face of the surface. */
-  private faceAt(baseFace: number, point: THREE.Vector3): number {
-    let best = baseFace, most = -Infinity;
-    for (const piece of this.piecesOf.get(baseFace) ?? []) {
-      const [a, b, c] = this.corners(piece).map((v) => this.vertex(v)) as [THREE.Vector3, THREE.Vector3, THREE.Vector3];
+  /** The chart of a face at one of its points; where contours cross the face, that of the piece there. */
+  private chartAt(face: number, point: THREE.Vector3): number {
+    let chart = this.chartOfFace[face] ?? -1, most = -Infinity;
+    for (const piece of this.piecesOf.get(face) ?? []) {
+      const [a, b, c] = [0, 1, 2].map((k) => this.vertex(this.cuts.triangle[3 * piece + k]!)) as [THREE.Vector3, THREE.Vector3, THREE.Vector3];
       const at = THREE.Triangle.getBarycoord(point, a, b, c, new THREE.Vector3());
       const least = at ? Math.min(at.x, at.y, at.z) : -Infinity;
-      if (least > most) [most, best] = [least, piece];
+      if (least > most) [most, chart] = [least, this.cuts.chart[piece]!];
     }
-    return best;
+    return chart;
   }
 
   // Built when it is first needed.
   private picker(): THREE.Mesh {
     if (this.picking) return this.picking;
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(this.basePositions, 3));
-    geometry.setIndex(new THREE.BufferAttribute(this.baseTriangles, 1));
+    geometry.setAttribute("position", new THREE.BufferAttribute(this.positions, 3));
+    geometry.setIndex(new THREE.BufferAttribute(this.triangles, 1));
     // `indirect` keeps the order of the faces.
     geometry.boundsTree = new MeshBVH(geometry, { indirect: true });
     this.picking = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
     this.picking.raycast = acceleratedRaycast;
     return this.picking;
   }
-}
-
-function joined(a: Float32Array, b: Float32Array): Float32Array<ArrayBuffer> {
-  const out = new Float32Array(a.length + b.length);
-  out.set(a);
-  out.set(b, a.length);
-  return out;
 }
 
 function spreadInto(out: Float32Array, values: Float32Array, index: Uint32Array, size: number): void {

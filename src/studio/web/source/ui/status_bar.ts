@@ -16,6 +16,7 @@ export function statusBar(store: Store, certify: () => void): HTMLElement {
         h("span", { title: "Triangles of the surface, and its handles" }, `${state.file.name} · ${readable(state.file.triangles)} triangles · genus ${state.file.genus}`),
       state?.statistics && h("span", { className: "counts", "data-quads": String(state.statistics.quads) }, `${readable(state.statistics.quads)} quads · ${readable(state.statistics.vertices)} vertices`),
       state?.statistics && (state.certificate ? light(state, certify) : h("span", { className: "checking" }, h("span", { className: "light grey" }), "checking")),
+      state?.facts?.fans && h("span", { className: "fans", title: state.facts.fans }, "with fans of triangles"),
       state?.budget && budget(state),
       h("span", { className: "spring" }),
       state?.last && h("span", { className: state.last.ok ? "last" : "last bad", title: state.last.text }, lastText(state)),
