@@ -95,7 +95,7 @@ void Design_output::write_pictures(const std::string& folder) const {
   Scene charts = face_colour_scene(embedded.embedding.surface, embedded.chart_of_face);
   add_contours(charts, embedded.embedding.surface.points, design);
   write(charts, "charts.png");
-  write(quad_scene(m_quads.mesh), "quads.png");
+  write(quad_scene(polygons()), "quads.png");
 }
 
 } // namespace reebquad

@@ -30,20 +30,14 @@ void put_on_surface(Polygon_soup& mesh, const std::string& file) {
   for (Point& p : mesh.points) p = projector.closest(p).point;
 }
 
-// Polygons as fans of triangles, without the sides inside; those of fewer sides than `regular` in green, of more in blue.
-Scene polygon_scene(const Polygon_soup& mesh, int regular) {
-  Scene scene;
-  scene.points = mesh.points;
+// Polygons of fewer sides than `regular` in green, of more in blue.
+std::vector<Colour> colours_by_sides(const Polygon_soup& mesh, int regular) {
+  std::vector<Colour> colours;
   for (int p = 0; p < mesh.number_of_polygons(); ++p) {
-    const int n = mesh.size_of_polygon(p), *corner = mesh.corner.data() + mesh.begin[p];
-    for (int i = 1; i + 1 < n; ++i) {
-      scene.faces.push_back({corner[0], corner[i], corner[i + 1], -1});
-      scene.drawn_sides.push_back(static_cast<unsigned char>((i == 1 ? 1 : 0) | 2 | (i + 2 == n ? 4 : 0)));
-      scene.face_colours.push_back(n == regular ? scene.surface_colour : valence_colour(n < regular ? 3 : 5));
-    }
+    const int n = mesh.size_of_polygon(p);
+    colours.push_back(n == regular ? Scene().surface_colour : valence_colour(n < regular ? 3 : 5));
   }
-  shade_smoothly(scene);
-  return scene;
+  return colours;
 }
 
 } // namespace
@@ -72,7 +66,7 @@ Exit_code execute_polygons(const Arguments& arguments) {
   for (const std::string& warning : value_or_fail(write_mesh(output, mesh, options), output))
     std::cerr << "reebquad: " << output << ": " << warning << '\n';
   if (line.has("picture")) {
-    const Scene scene = polygon_scene(mesh, kind == Polygon_kind::hexagons ? 6 : 4);
+    const Scene scene = polygon_scene(mesh, colours_by_sides(mesh, kind == Polygon_kind::hexagons ? 6 : 4));
     succeed_or_fail(
         write_png(render(scene, camera(View::three_quarter, Up_axis::z), 1000, 800), line.text("picture")),
         line.text("picture"));

@@ -58,11 +58,24 @@ Legend_entry valence_entry(int valence, int count) {
   return {valence_colour(valence), name + ": " + std::to_string(count)};
 }
 
-Scene scene_of_quads(const Quad_mesh& mesh) {
+Scene unshaded_scene(const Polygon_soup& mesh, const std::vector<Colour>& colours) {
   Scene scene;
   scene.points = mesh.points;
-  scene.faces.assign(mesh.quads.begin(), mesh.quads.end());
-  scene.drawn_sides.assign(mesh.quads.size(), 15);
+  const auto add = [&](int polygon, const Scene::Face& face, int sides) {
+    scene.faces.push_back(face);
+    scene.drawn_sides.push_back(static_cast<unsigned char>(sides));
+    if (!colours.empty()) scene.face_colours.push_back(colours[polygon]);
+  };
+  for (int p = 0; p < mesh.number_of_polygons(); ++p) {
+    const int n = mesh.size_of_polygon(p), *corner = mesh.corner.data() + mesh.begin[p];
+    CGAL_precondition(n >= 3);
+    if (n == 4) {
+      add(p, {corner[0], corner[1], corner[2], corner[3]}, 15);
+      continue;
+    }
+    for (int i = 1; i + 1 < n; ++i)
+      add(p, {corner[0], corner[i], corner[i + 1], -1}, (i == 1 ? 1 : 0) | 2 | (i + 2 == n ? 4 : 0));
+  }
   return scene;
 }
 
@@ -155,14 +168,26 @@ Scene face_colour_scene(const Triangle_surface& surface, const std::vector<int>&
   return scene;
 }
 
+Scene polygon_scene(const Polygon_soup& mesh, const std::vector<Colour>& colours) {
+  CGAL_precondition(colours.empty() || int(colours.size()) == mesh.number_of_polygons());
+  Scene scene = unshaded_scene(mesh, colours);
+  shade_smoothly(scene);
+  return scene;
+}
+
 std::vector<int> vertex_valences(const Quad_mesh& mesh) {
+  return vertex_valences(polygon_soup(mesh));
+}
+
+std::vector<int> vertex_valences(const Polygon_soup& mesh) {
   std::vector<int> valence(mesh.points.size(), 0);
   std::vector<std::array<int, 2>> sides;
-  sides.reserve(4 * mesh.quads.size());
-  for (const Quad& quad : mesh.quads)
-    for (int i = 0; i < 4; ++i) {
-      ++valence[quad[i]];
-      sides.push_back({std::min(quad[i], quad[(i + 1) % 4]), std::max(quad[i], quad[(i + 1) % 4])});
+  sides.reserve(mesh.corner.size());
+  for (int p = 0; p < mesh.number_of_polygons(); ++p)
+    for (int i = mesh.begin[p]; i < mesh.begin[p + 1]; ++i) {
+      const int a = mesh.corner[i], b = mesh.corner[i + 1 < mesh.begin[p + 1] ? i + 1 : mesh.begin[p]];
+      ++valence[a];
+      sides.push_back({std::min(a, b), std::max(a, b)});
     }
   std::sort(sides.begin(), sides.end());
   std::vector<char> at_boundary(mesh.points.size(), 0);
@@ -176,7 +201,11 @@ std::vector<int> vertex_valences(const Quad_mesh& mesh) {
 }
 
 Scene quad_scene(const Quad_mesh& mesh, const Quad_scene_options& options) {
-  Scene scene = scene_of_quads(mesh);
+  return quad_scene(polygon_soup(mesh), options);
+}
+
+Scene quad_scene(const Polygon_soup& mesh, const Quad_scene_options& options) {
+  Scene scene = unshaded_scene(mesh, {});
   shade_smoothly(scene, options.smooth ? 40 : 0);
   const std::vector<int> valence = vertex_valences(mesh);
   std::map<int, int> count;
@@ -188,7 +217,13 @@ Scene quad_scene(const Quad_mesh& mesh, const Quad_scene_options& options) {
           {mesh.points[v], valence_colour(valence[v]), options.dot_radius, options.dot_xray});
   }
   if (options.legend) {
-    scene.legend.title = std::to_string(mesh.quads.size()) + " quads";
+    std::map<int, int> sizes{{4, 0}};
+    for (int p = 0; p < mesh.number_of_polygons(); ++p) ++sizes[mesh.size_of_polygon(p)];
+    scene.legend.title = std::to_string(sizes[4]) + " quads";
+    for (const auto& [sides, number] : sizes)
+      if (sides != 4)
+        scene.legend.title += ", " + std::to_string(number) +
+                              (sides == 3 ? " triangles" : " of " + std::to_string(sides) + " sides");
     for (const auto& entry : count) scene.legend.entries.push_back(valence_entry(entry.first, entry.second));
   }
   return scene;
@@ -215,8 +250,7 @@ std::vector<double> scaled_jacobians(const Quad_mesh& mesh) {
 }
 
 Scene quality_scene(const Quad_mesh& mesh) {
-  Scene scene = scene_of_quads(mesh);
-  shade_smoothly(scene);
+  Scene scene = polygon_scene(polygon_soup(mesh));
   const Colour_map colours = quality_colours();
   const Colour inverted{214, 0, 160};
   int number_inverted = 0;

@@ -6,6 +6,7 @@
 #include <CGAL/Reeb_quadrangulation/internal/quad_connectivity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -18,11 +19,17 @@ Quad_texture pole_texture(int a, int b, bool clockwise) {
   const std::vector<int>& border = square.sides[0];
   const int n = int(border.size()), rows = std::max(2, (std::min(a, b) + 1) / 2); // the fan is the last row
   Quad_texture texture;
-  for (int ring = 0; ring < rows; ++ring) {
-    const double t = double(ring) / rows;
-    for (int v : border) {
-      texture.v.push_back((1 - t) * square.v[v] + t * 0.5 * a);
-      texture.u.push_back((1 - t) * square.u[v] + t * 0.5 * b);
+  for (int v : border) {
+    texture.v.push_back(square.v[v]);
+    texture.u.push_back(square.u[v]);
+  }
+  for (int ring = 1; ring < rows; ++ring) {
+    const double t = double(rows - ring) / rows;
+    for (int v : border) { // rings turn from squares to circles on the way in, along the same rays
+      const double x = 2 * square.v[v] / a - 1, y = 2 * square.u[v] / b - 1;
+      const double scale = t * (t + (1 - t) / std::hypot(x, y));
+      texture.v.push_back(0.5 * a * (1 + scale * x));
+      texture.u.push_back(0.5 * b * (1 + scale * y));
     }
   }
   const int pole = n * rows;

@@ -56,6 +56,20 @@ void check_closed(const Editor& editor, const Stitched_mesh& quads, int poles) {
 
 } // namespace
 
+TEST_CASE("the fan of a whole pole is round") {
+  Editor editor = sphere_session();
+  REQUIRE(bool(editor.apply(whole(1))));
+  const Stitched_mesh quads = editor.quads();
+  const Pole_fan fan = pole_fans(editor.design(), quads).at(0);
+  double least = 2, largest = 0;
+  for (int v : fan.ring) {
+    const double radius = (quads.mesh.points[v] - fan.pole).norm();
+    least = std::min(least, radius);
+    largest = std::max(largest, radius);
+  }
+  CHECK(largest < 1.2 * least); // a square's corners are 1.41 times as far as its sides
+}
+
 TEST_CASE("a sphere with whole poles is closed by two fans, before and after relaxing") {
   Editor editor = sphere_session();
   const Bytes quarter = bytes_of(editor);

@@ -2,7 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_PICTURE_SCENE_H
 #define CGAL_REEB_QUADRANGULATION_PICTURE_SCENE_H
 
-#include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+#include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 
 #include <array>
 #include <string>
@@ -133,13 +133,20 @@ struct Quad_scene_options {
 /// blue shades above it, darker the further from 4 (the colours of figure 15 of the source paper). A boundary
 /// vertex counts as regular with two quads.
 Scene quad_scene(const Quad_mesh& mesh, const Quad_scene_options& options = {});
+/// The same of a mesh that is not all quads; the legend counts its other polygons.
+Scene quad_scene(const Polygon_soup& mesh, const Quad_scene_options& options = {});
+
+/// Polygons with dark sides, smoothly shaded, in one colour or in one a polygon; those of more than four sides as fans of triangles
+/// without the sides inside. \pre `colours` is empty or has one colour a polygon; polygons have at least three sides
+Scene polygon_scene(const Polygon_soup& mesh, const std::vector<Colour>& colours = {});
 
 /// The colour of a vertex of that valence in `quad_scene()`. \pre `valence != 4`
 Colour valence_colour(int valence);
 
-/// Valence of each vertex; at the boundary the number of quads plus two, so that regular is 4 everywhere.
-/// Vertices without a quad get 0.
+/// Valence of each vertex; at the boundary the number of polygons plus two, so that regular is 4 everywhere.
+/// Vertices without a polygon get 0.
 std::vector<int> vertex_valences(const Quad_mesh& mesh);
+std::vector<int> vertex_valences(const Polygon_soup& mesh);
 
 /// Scaled Jacobian of each quad: the smallest over its corners of the sine of the corner's angle, measured
 /// against the quad's mean normal; at most 1, negative for an inverted corner, 0 for a degenerate quad.
