@@ -5,6 +5,7 @@
 #include "Input.h"
 #include "Interruption.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -22,12 +23,18 @@ std::string read_text(const std::string& file) {
   return text.str();
 }
 
-Triangle_surface read_component(const std::string& file) {
+/// The component of that number, counted from 1; 0: the only one.
+Triangle_surface read_component(const std::string& file, int component) {
   Mended_surface mended = value_or_fail(mend_surface(read_soup(file)), file);
-  if (mended.components.size() != 1)
+  const std::size_t number = mended.components.size();
+  if (component == 0 && number != 1)
     throw Failure(Exit_code::not_a_surface, file + ": a recipe is for one connected surface, this file has " +
-                                                std::to_string(mended.components.size()));
-  return std::move(mended.components[0].surface);
+                                                std::to_string(number) +
+                                                "; the recipe's \"component\" says which, or --component");
+  if (std::size_t(component) > number)
+    throw Failure(Exit_code::not_a_surface, file + ": there is no component " + std::to_string(component) +
+                                                ", the file has " + std::to_string(number));
+  return std::move(mended.components[std::max(component, 1) - 1].surface);
 }
 
 } // namespace
@@ -38,7 +45,8 @@ Recipe read_recipe(const std::string& file) {
 
 Editor replay_recipe(const std::string& input, const Recipe& recipe, const std::string& recipe_name,
                      Terminal_observer& observer) {
-  Editor editor = value_or_fail(Editor::create(read_component(input), recipe.options, &observer), input);
+  Editor editor = value_or_fail(
+      Editor::create(read_component(input, recipe.component), recipe.options, &observer), input);
   for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
     const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");

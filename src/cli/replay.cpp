@@ -22,6 +22,7 @@ namespace {
 struct Replay_options {
   std::string input, recipe, output, report, pictures;
   int until = -1;
+  int component = 0; ///< 0: as the recipe says
   int threads = 0;
   double feature_angle = 45;
   bool relax = true;
@@ -32,6 +33,8 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   Command_line line("replay INPUT RECIPE -o QUADS [options]");
   line.options.add_options()("output,o", po::value<std::string>()->value_name("FILE"), "the quad mesh")(
       "until", po::value<int>()->value_name("K"), "apply the first K edits only")(
+      "component", po::value<int>()->value_name("K"),
+      "design the connected component K of INPUT, counted from 1; by default the one that RECIPE names")(
       "report", po::value<std::string>()->value_name("FILE"), "write all numbers as JSON")(
       "pictures", po::value<std::string>()->value_name("DIR"), "write PNG pictures into this folder")(
       "threads", po::value<int>()->value_name("N")->default_value(0),
@@ -50,6 +53,10 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   if (line.has("until")) {
     options.until = line.values["until"].as<int>();
     if (options.until < 1) throw Usage_error("--until takes the number of edits to apply, 1 or more");
+  }
+  if (line.has("component")) {
+    options.component = line.values["component"].as<int>();
+    if (options.component < 1) throw Usage_error("--component takes a number from 1 on");
   }
   options.threads = line.values["threads"].as<int>();
   if (options.threads < 0 || options.threads > 1024) throw Usage_error("--threads lies between 0 and 1024");
@@ -70,6 +77,7 @@ Recipe read_recipe_until(const Replay_options& options) {
                       std::to_string(recipe.edits.size()) + " edits");
   recipe.edits.resize(last);
   recipe.options.threads = options.threads;
+  if (options.component > 0) recipe.component = options.component;
   return recipe;
 }
 

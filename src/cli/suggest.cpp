@@ -107,8 +107,10 @@ Exit_code execute_suggest(const Arguments& arguments) {
                     options->input);
   observer.clear();
   if (options->apply) {
+    Recipe longer = recipe_of(editor);
+    longer.component = options->design.component;
     const Uninterruptible whole;
-    succeed_or_fail(write_file_atomically(options->output, to_json(recipe_of(editor))), options->output);
+    succeed_or_fail(write_file_atomically(options->output, to_json(longer)), options->output);
   }
   print(hints, *options);
   return Exit_code::success;

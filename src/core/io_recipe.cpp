@@ -361,6 +361,7 @@ std::string to_json(const Recipe& recipe) {
   Writer writer(options);
   Editor_options copy = recipe.options;
   fields(writer, copy);
+  if (recipe.component > 0) text += "  \"component\": " + std::to_string(recipe.component) + ",\n";
   text += "  \"options\": " + options.dump() + ",\n  \"edits\": [";
   for (std::size_t i = 0; i < recipe.edits.size(); ++i)
     text += (i == 0 ? "\n    " : ",\n    ") + to_json(recipe.edits[i]);
@@ -377,8 +378,15 @@ Result<Recipe> recipe_from_json(const std::string& text) {
     Recipe recipe;
     for (const auto& entry : json.items()) {
       const std::string& key = entry.key();
-      if (key != "format" && key != "version" && key != "options" && key != "edits" && key != "comment")
+      if (key != "format" && key != "version" && key != "options" && key != "edits" && key != "comment" &&
+          key != "component")
         throw Malformed("the recipe has an unknown field \"" + key + "\"");
+    }
+    if (json.contains("component")) {
+      const Json& component = json["component"];
+      if (!component.is_number_integer() || component < 1 || component > 1000000000)
+        throw Malformed("\"component\" is not an integer of at least 1 and at most nine digits");
+      recipe.component = component.get<int>();
     }
     if (json.contains("options")) {
       Reader reader(json["options"], "\"options\"");

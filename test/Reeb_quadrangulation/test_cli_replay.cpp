@@ -67,3 +67,48 @@ TEST_CASE("without one, all faces are quads, and the report says so") {
   CHECK(std::count(sizes.begin(), sizes.end(), 4) == int(sizes.size()));
   CHECK(out.find("not all-quad") == std::string::npos);
 }
+
+TEST_CASE("of a file with several parts, the recipe or --component says which is designed") {
+  const Temporary_folder folder;
+  const std::string sphere = folder.path("sphere.obj"), parts = folder.path("parts.obj"),
+                    out = folder.path("q.obj");
+  REQUIRE(reebquad({"shape", "sphere", "-o", sphere, "--triangles", "800"}).code == 0);
+  // A tetrahedron far away stands before the sphere.
+  const std::string text = contents(sphere);
+  std::string moved = "v 9 0 0\nv 10 0 0\nv 9 1 0\nv 9 0 1\n";
+  std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("v ", 0) == 0) moved += line + "\n";
+    if (line.rfind("f ", 0) != 0) continue;
+    std::istringstream words(line.substr(2));
+    faces += "f";
+    for (int v; words >> v;) faces += " " + std::to_string(v + 4);
+    faces += "\n";
+  }
+  std::ofstream(parts) << moved << faces;
+  const auto recipe = [&](const std::string& component) {
+    const std::string file = folder.path("r" + std::to_string(component.size()) + ".json");
+    std::ofstream(file) << R"({"format": "reebquad recipe", "version": 1, )" << component
+                        << R"("options": {"quads": 300}, "edits": [{"edit": "suggest"}]})";
+    return file;
+  };
+  REQUIRE(reebquad({"replay", sphere, recipe(""), "-o", out}).code == 0);
+  const std::string alone = contents(out);
+  const Outcome unsaid = reebquad({"replay", parts, recipe(""), "-o", out});
+  CHECK(unsaid.code != 0);
+  CHECK(unsaid.err.find("this file has 2") != std::string::npos);
+  for (const bool in_recipe : {true, false}) {
+    std::filesystem::remove(out);
+    const Outcome second =
+        in_recipe
+            ? reebquad({"replay", parts, recipe(R"("component": 2, )"), "-o", out})
+            : reebquad({"replay", parts, recipe(R"("component": 1,  )"), "-o", out, "--component", "2"});
+    INFO(second.err);
+    REQUIRE(second.code == 0);
+    CHECK(contents(out) == alone);
+  }
+  CHECK(reebquad({"replay", parts, recipe(""), "-o", out, "--component", "3"}).code != 0);
+  CHECK(reebquad({"replay", parts, recipe(""), "-o", out, "--component", "0"}).code != 0);
+  CHECK(reebquad({"replay", parts, recipe(R"("component": 0,   )"), "-o", out}).code != 0);
+}

@@ -12,6 +12,8 @@
 #include <server/Frame_patch.h>
 #include <server/Session.h>
 
+#include <functional>
+
 using namespace CGAL::Reeb_quadrangulation;
 using reebquad::studio::Folder;
 using reebquad::studio::frame_patch;
@@ -36,17 +38,40 @@ std::string file_of(const std::string& shape, int triangles) {
   return bytes_of(polygon_soup(*make_shape(shape, triangles)));
 }
 
-/// What `reebquad replay` writes.
-std::string replayed(const std::string& mesh, const std::string& recipe_text) {
+/// The mesh that `reebquad replay` writes.
+Polygon_soup replayed(const std::string& mesh, const std::string& recipe_text) {
   const Recipe recipe = *recipe_from_json(recipe_text);
   Mended_surface mended = *mend_surface(*parse_polygon_soup(mesh.data(), mesh.size(), Mesh_format::obj));
-  Result<Editor> editor = Editor::create(std::move(mended.components[0].surface), recipe.options);
+  Triangle_surface& surface = mended.components[std::max(recipe.component, 1) - 1].surface;
+  Result<Editor> editor = Editor::create(std::move(surface), recipe.options);
   REQUIRE(editor);
   for (const Edit& edit : recipe.edits) REQUIRE(editor->apply(edit));
   const Result<Stitched_mesh> quads = editor->finished_quads();
   REQUIRE(quads);
-  return bytes_of(with_fans(quads->mesh, pole_fans(editor->design(), *quads)));
+  return with_fans(quads->mesh, pole_fans(editor->design(), *quads));
 }
+
+/// One mesh after the other.
+Polygon_soup joined(Polygon_soup all, const Polygon_soup& other) {
+  const int first = all.number_of_points();
+  all.points.insert(all.points.end(), other.points.begin(), other.points.end());
+  for (int p = 0; p < other.number_of_polygons(); ++p) {
+    for (int i = other.begin[p]; i < other.begin[p + 1]; ++i) all.corner.push_back(other.corner[i] + first);
+    all.close_polygon();
+  }
+  return all;
+}
+
+/// A small sphere, and a torus and an octahedron far from it.
+std::string three_parts() {
+  Triangle_surface torus = *make_shape("torus", 2000), solid = *make_shape("octahedron", 400);
+  for (Point& p : torus.points) p += Point(5, 0, 0);
+  for (Point& p : solid.points) p += Point(0, 9, 0);
+  return bytes_of(
+      joined(joined(polygon_soup(*make_shape("sphere", 800)), polygon_soup(torus)), polygon_soup(solid)));
+}
+
+const Json suggestion{{"edit", "suggest"}, {"axis", {0, 0, 1}}};
 
 /// An open session that does what it is told.
 struct Desk {
@@ -110,7 +135,7 @@ TEST_CASE("with a whole pole the studio exports the fan that replay writes, draw
   desk.edit(Json::parse(R"({"edit": "split_pole", "at": {"point": [0, 0, 1]}, "kind": "whole"})"));
   const Result<std::string> exported = desk.session.export_quads("obj", desk.observer);
   REQUIRE(exported);
-  CHECK(*exported == replayed(mesh, *desk.session.recipe()));
+  CHECK(*exported == bytes_of(replayed(mesh, *desk.session.recipe())));
 
   const Json state = desk.session.state();
   CHECK(state["facts"]["fans"].get<std::string>().find("1 whole pole") != std::string::npos);
@@ -126,7 +151,7 @@ TEST_CASE("with a whole pole the studio exports the fan that replay writes, draw
 
 TEST_CASE("an edit of one chart sends a small part of what the surface's layers are") {
   Desk desk(file_of("hand", 12000));
-  desk.edit({{"edit", "suggest"}, {"axis", {0, 0, 1}}});
+  desk.edit(suggestion);
   REQUIRE(desk.session.finish(desk.observer));
   // The smallest tube that has some faces to cut.
   const auto charts = Frame_view(*desk.session.layers().at("charts")).words("chart");
@@ -172,4 +197,82 @@ TEST_CASE("an edit of one chart sends a small part of what the surface's layers 
       "undo", [&] { REQUIRE(desk.session.undo()); }, 0.2);
   sent(
       "redo", [&] { REQUIRE(desk.session.redo()); }, 0.2);
+}
+
+TEST_CASE("each part of a file has its own design, and the export joins those that have quads") {
+  const std::string mesh = three_parts();
+  Desk desk(mesh);
+  Session& session = desk.session;
+  Json state = session.state();
+  REQUIRE(state["file"]["components"].size() == 3);
+  CHECK(state["file"]["component"] == 2); // the largest
+  CHECK(state["file"]["genus"] == 1);
+  CHECK(!session.export_quads("obj", desk.observer));
+  desk.edit(suggestion);
+  desk.edit({{"edit", "set_target"}, {"quads", 900}});
+  REQUIRE(session.finish(desk.observer));
+  const std::string of_torus = *session.recipe();
+  CHECK(recipe_from_json(of_torus)->component == 2);
+  CHECK(*session.export_quads("obj", desk.observer) == bytes_of(replayed(mesh, of_torus)));
+
+  REQUIRE(session.choose(1, desk.observer));
+  CHECK(session.state()["file"]["genus"] == 0);
+  CHECK(session.state()["history"].empty());
+  CHECK(!session.layers().count("quads"));
+  desk.edit(suggestion);
+  const std::string of_sphere = *session.recipe();
+  const std::string both = *session.export_quads("obj", desk.observer);
+  CHECK(both == bytes_of(joined(replayed(mesh, of_sphere), replayed(mesh, of_torus))));
+  state = session.state();
+  CHECK(state["file"]["components"][0]["quads"] > 0);
+  CHECK(state["file"]["components"][2]["quads"] == 0);
+
+  // Each has its own history; who comes back finds everything as it was.
+  REQUIRE(session.undo());
+  CHECK(!session.undo());
+  REQUIRE(session.choose(2, desk.observer));
+  CHECK(session.state()["applied"] == 2);
+  CHECK(session.state()["certificate"]["passed"] == true);
+  REQUIRE(session.undo());
+  REQUIRE(session.redo());
+  REQUIRE(session.choose(1, desk.observer));
+  REQUIRE(session.redo());
+  CHECK(*session.export_quads("obj", desk.observer) == both);
+  for (const int none : {0, -1, 4}) CHECK(!session.choose(none, desk.observer));
+
+  Session next{Folder(desk.folder.path(""))};
+  CHECK(next.state()["last_session"]["edits"] == 3);
+  REQUIRE(next.restore(desk.observer));
+  CHECK(next.state()["file"]["component"] == 1);
+  CHECK(*next.export_quads("obj", desk.observer) == both);
+}
+
+TEST_CASE("who stops while the last session comes back does not lose it") {
+  const Temporary_folder folder;
+  Silent silent;
+  {
+    Session session{Folder(folder.path(""))};
+    REQUIRE(session.open_upload("mesh.obj", file_of("sphere", 800), silent));
+    for (const int quads : {300, 400, 500, 600})
+      REQUIRE(
+          session.edit(quads == 300 ? suggestion : Json{{"edit", "set_target"}, {"quads", quads}}, silent));
+    REQUIRE(session.undo());
+  }
+  const auto kept = [&] { return contents(folder.path(".reebquad/session.json")); };
+  const std::string before = kept();
+  // Stops at the n-th question whether to stop.
+  struct Impatient : Observer {
+    explicit Impatient(int n) : left(n) {}
+    void progress(const std::string&, double) override {}
+    bool cancelled() const override { return --left < 0; }
+    mutable int left;
+  };
+  bool done = false;
+  for (int n = 1; !done; n *= 3) {
+    Session session{Folder(folder.path(""))};
+    Impatient impatient(n);
+    done = bool(session.restore(impatient));
+    CHECK(kept() == before);
+    if (done) CHECK(session.state()["applied"] == 3);
+  }
 }

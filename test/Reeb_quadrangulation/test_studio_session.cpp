@@ -205,9 +205,11 @@ TEST_CASE("a session is never lost, whenever the process is killed") {
         const std::string bytes = mesh + std::to_string(n / 3); // another mesh every third time
         session.bytes = bytes.size();
         session.digest = digest(bytes);
-        for (int i = 0; i < n % 50; ++i) session.edits.push_back({{"edit", "set_target"}, {"quads", n}});
-        session.edits.push_back(n);
-        session.applied = int(session.edits.size());
+        Saved_part part;
+        for (int i = 0; i < n % 50; ++i) part.edits.push_back({{"edit", "set_target"}, {"quads", n}});
+        part.edits.push_back(n);
+        part.applied = int(part.edits.size());
+        session.parts = {part};
         if (!store.save_upload(session, bytes) || !store.save(session)) _exit(1);
         if (write(told[1], &n, sizeof n) != sizeof n) _exit(1);
       }
@@ -226,7 +228,7 @@ TEST_CASE("a session is never lost, whenever the process is killed") {
 
     const std::optional<Saved_session> session = store.load();
     REQUIRE(session);
-    last = session->edits.back().get<int>();
+    last = session->parts.at(0).edits.back().get<int>();
     CHECK(last >= saved);
     CHECK(last <= saved + 1);
     CHECK(bool(store.load_mesh(*session)));
@@ -251,20 +253,22 @@ TEST_CASE("a damaged or foreign session file is as none, and a changed mesh is t
   for (
       const std::string& bad :
       {std::string(), std::string("{}"), std::string("[1,2"), good.substr(0, good.size() / 2),
-       std::string(R"({"version":1,"name":1,"file":"","bytes":1,"digest":"","edits":[],"applied":0})"),
+       std::string(R"({"version":2,"name":1,"file":"","bytes":1,"digest":"","component":1,"parts":[]})"),
        std::string(
-           R"({"version":1,"name":"a","file":"","bytes":1,"digest":"../../../etc/pwd","edits":[],"applied":0})"),
+           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"../../../etc/pwd","component":1,"parts":[]})"),
        std::string(
-           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","edits":[],"applied":0})"),
+           R"({"version":1,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","component":1,"parts":[]})"),
        std::string(
-           R"({"version":1,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","edits":[],"applied":7})")}) {
+           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","component":0,"parts":[]})"),
+       std::string(
+           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","component":1,"parts":[{"component":1,"edits":[],"applied":7}]})")}) {
     place.write(".reebquad/session.json", bad);
     CHECK(!store.load());
   }
   // A session that names a file outside is not followed.
   place.write(
       ".reebquad/session.json",
-      R"({"version":1,"name":"a","file":"../../etc/passwd","bytes":1,"digest":"0123456789abcdef","edits":[],"applied":0})");
+      R"({"version":2,"name":"a","file":"../../etc/passwd","bytes":1,"digest":"0123456789abcdef","component":1,"parts":[]})");
   REQUIRE(store.load());
   CHECK(!store.load_mesh(*store.load()));
 }

@@ -123,6 +123,25 @@ test("a saddle becomes four vertices of valence 5", async () => {
   await studio.picture("quarter_saddles");
 });
 
+test("two saddles are aligned by two clicks", async () => {
+  await studio.upload(studio.shape("bitorus", 3000));
+  await studio.page.selectOption("#axis", { label: "X is up" });
+  const before = await studio.suggest();
+  await studio.view("atlas");
+  // The two beside the tube between the holes.
+  const [first, second] = (await critical(1)).sort((a, b) => Math.abs(a[0]) - Math.abs(b[0]));
+  await studio.tool("align");
+  await studio.clickOn(first, 0.4);
+  assert.match(await studio.page.innerText(".hint-line"), /other side/);
+  const state = await studio.after(() => studio.clickOn(second, 0.4));
+  assert.equal((await edits()).at(-1).edit, "align_saddles");
+  assert.equal(state.facts.charts.length, before.facts.charts.length - 1);
+  assert.equal(state.budget.interior["8"], before.budget.interior["8"]); // they keep their valence
+  assert.equal(state.certificate.passed, true);
+  await studio.page.selectOption("#axis", { label: "Y is up" });
+  await studio.picture("aligned_saddles");
+});
+
 test("a picture is saved", async () => {
   const png = await studio.download(() => studio.page.click("#screenshot"));
   assert.equal(png.subarray(1, 4).toString(), "PNG");
@@ -159,6 +178,40 @@ test("a long work is stopped by Cancel, and everything is as it was", async () =
   await studio.page.waitForFunction(() => !window.studio.store.get("busy"), null, { timeout: 60000 });
   assert.ok(told < 2000, `${told} ms`); // with the browser's own time; the program answers at once
   assert.equal((await studio.state()).revision, before.revision);
+});
+
+test("the parts of a file are listed; each has its design, and the export joins them", async () => {
+  const parts = [["sphere", 0, 1000], ["torus", 4, 2000], ["tetrahedron", 8, 400]].map(([name, shift, triangles]) => {
+    const rows = studio.read(studio.shape(name, triangles)).trim().split("\n").filter((l) => !l.startsWith("#"));
+    const [points] = rows[1].split(/\s+/).map(Number);
+    return { points: rows.slice(2, 2 + points).map((row) => row.split(/\s+/).map((x, i) => Number(x) + (i ? 0 : shift)).join(" ")), faces: rows.slice(2 + points).map((row) => row.split(/\s+/).slice(1).map(Number)) };
+  });
+  let first = 1;
+  const text = parts.map(({ points, faces }) => {
+    const lines = [...points.map((p) => `v ${p}`), ...faces.map((face) => `f ${face.map((v) => v + first).join(" ")}`)].join("\n");
+    first += points.length;
+    return lines;
+  }).join("\n");
+  writeFileSync(studio.path("parts.obj"), `${text}\n`);
+  const opened = await studio.upload(studio.path("parts.obj"));
+  assert.equal(opened.file.components.length, 3);
+  assert.equal(opened.file.component, 2);
+  const torus = await studio.suggest();
+  const sphere = await studio.after(() => studio.page.click('[data-part="1"]'));
+  assert.equal(sphere.applied, 0);
+  assert.equal(await studio.page.isDisabled("#export"), false); // the torus has quads
+  const both = await studio.suggest();
+  assert.ok(both.statistics.quads > 100);
+  await studio.picture("parts");
+  const quads = (await studio.download(() => studio.page.click("#export"))).toString();
+  assert.match(await studio.toast(), /Without part 3/);
+  assert.equal(quads.match(/^f /gm).length, torus.statistics.quads + both.statistics.quads);
+  const recipe = JSON.parse(await studio.download(() => studio.page.click("#recipe")));
+  assert.equal(recipe.component, 1);
+  const back = await studio.after(() => studio.page.click('[data-part="2"]'));
+  assert.equal(back.applied, 1);
+  assert.equal(back.statistics.quads, torus.statistics.quads);
+  assert.equal(back.certificate.passed, true);
 });
 
 test("panels and tools are reached by the Tab key", async () => {

@@ -63,6 +63,21 @@ test("keys switch layers", async () => {
   await studio.page.keyboard.press("Escape");
 });
 
+test("every layer can be seen", async () => {
+  const canvas = async () => (await studio.page.locator(".canvas canvas").screenshot()).toString("base64");
+  const ids = await studio.page.evaluate(() => [...document.querySelectorAll("[data-layer]")].map((e) => e.dataset.layer));
+  assert.equal(ids.length, 12);
+  for (const id of ids) {
+    await studio.view(id === "valences" || id === "quads" ? "surface" : id === "surface" ? "quads" : "surface");
+    await studio.settle();
+    const before = await canvas();
+    await studio.page.click(`[data-layer="${id}"]`);
+    await studio.settle();
+    assert.notEqual(await canvas(), before, id);
+    await studio.picture(`layer_${id}`);
+  }
+});
+
 test("a bar of the histogram lights its quads", async () => {
   await studio.view("quality");
   const before = await studio.page.locator(".canvas canvas").screenshot();

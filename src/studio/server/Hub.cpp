@@ -77,6 +77,7 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   switch (request.command) {
   case Command::list_files: return list_files(session.folder());
   case Command::open_file: return done(session.open_file(body["name"], observer));
+  case Command::component: return done(session.choose(body["component"], observer));
   case Command::restore: return done(session.restore(observer));
   case Command::forget: session.forget(); return Json::object();
   case Command::edit: return session.edit(body["edit"], observer, integer(body, "drag"), is_live(body));

@@ -30,8 +30,9 @@ struct Layer_source {
       CGAL::Reeb_quadrangulation::Point::Zero(); ///< subtracted from all points
 
   const CGAL::Reeb_quadrangulation::Triangle_surface* surface = nullptr; ///< before any cuts
-  const Charted_surface* charted = nullptr; ///< this and the next three go together
-  std::vector<int> chart_ids;               ///< the number that each chart is shown by
+  std::vector<int> chart_ids; ///< the number that each chart is shown by
+
+  const Charted_surface* charted = nullptr; ///< this and the next two go together
   std::vector<CGAL::Reeb_quadrangulation::Design_extremum> extrema;
   std::vector<int> counts; ///< of quads along contour edges, where they are known
 

@@ -30,6 +30,7 @@ constexpr Member none{nullptr, Json::value_t::null};
 constexpr std::array commands{
     Command_row{"list_files", Command::list_files, none},
     Command_row{"open_file", Command::open_file, {"name", Json::value_t::string}},
+    Command_row{"component", Command::component, {"component", Json::value_t::number_integer}},
     Command_row{"restore", Command::restore, none},
     Command_row{"forget", Command::forget, none},
     Command_row{"edit", Command::edit, {"edit", Json::value_t::object}},

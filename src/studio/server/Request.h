@@ -6,6 +6,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Result.h>
 
+#include <string>
 #include <string_view>
 
 namespace reebquad {
@@ -15,6 +16,7 @@ namespace studio {
 enum class Command {
   list_files,
   open_file,
+  component,
   restore,
   forget,
   edit,

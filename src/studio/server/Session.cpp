@@ -49,6 +49,15 @@ Json json_point(const Point& p) {
   return Json{p.x(), p.y(), p.z()};
 }
 
+/// Points of all layers are relative to the middle of the whole file.
+Point middle(const std::vector<Mended_component>& components, double& diagonal) {
+  Eigen::AlignedBox3d box;
+  for (const Mended_component& component : components)
+    for (const Point& p : component.surface.points) box.extend(p);
+  diagonal = box.diagonal().norm();
+  return box.center();
+}
+
 /// Where the file is not a clean surface, relative to `origin`.
 Json defects(const Polygon_soup& soup, const Point& origin) {
   Check_options options;
@@ -93,45 +102,45 @@ Result<void> Session::open(Saved_session origin, const std::string& bytes, Obser
   Result<Mended_surface> mended = mend_surface(*soup);
   if (!mended) return make_error(mended.error().code, origin.name + ": " + mended.error().message);
   if (observer.cancelled()) return make_error(Error_code::cancelled, "cancelled");
-  // The largest component is worked on; `file.components` tells the page that there are others.
-  std::size_t largest = 0;
-  for (std::size_t i = 1; i < mended->components.size(); ++i)
-    if (mended->components[i].surface.triangles.size() > mended->components[largest].surface.triangles.size())
-      largest = i;
   observer.progress("preparing", 0.6);
-  Result<std::unique_ptr<Workpiece>> work =
-      Workpiece::create(std::move(mended->components[largest].surface), &observer);
-  if (!work) return work.error();
+  double diagonal = 0;
+  const Point centre = middle(mended->components, diagonal);
+  Parts parts;
+  std::size_t largest = 0;
+  for (Mended_component& component : mended->components) {
+    parts.push_back(std::make_unique<Part>(std::move(component.surface), centre));
+    if (parts.back()->surface().triangles.size() > parts[largest]->surface().triangles.size())
+      largest = parts.size() - 1;
+  }
+  if (Result<void> begun = parts[largest]->begin(&observer); !begun) return begun;
   if (observer.cancelled()) return make_error(Error_code::cancelled, "cancelled");
 
-  const Triangle_surface& surface = (*work)->surface();
   origin.bytes = bytes.size();
   origin.digest = digest(bytes);
   if (origin.file.empty())
     if (Result<void> kept = m_store.save_upload(origin, bytes); !kept) return kept;
-  m_work = std::move(*work);
+  m_parts = std::move(parts);
+  m_part = largest;
   m_saved = std::move(origin);
-  m_milliseconds.clear();
-  Eigen::AlignedBox3d box;
-  for (const Point& p : surface.points) box.extend(p);
-  const int loops = int(boundary_loops(surface).size());
-  const int chi = euler_characteristic(surface);
   Json mends = Json::array(), refused = Json::array();
   for (const Mend& mend : mended->mends) mends.push_back(mend.text);
   for (const Error& error : mended->refused) refused.push_back(error.message);
-  m_file = {{"name", m_saved.name},
-            {"points", surface.number_of_vertices()},
-            {"triangles", surface.number_of_faces()},
-            {"euler_characteristic", chi},
-            {"genus", (2 - chi - loops) / 2},
-            {"boundary_loops", loops},
-            {"components", mended->components.size() + mended->refused.size()},
-            {"mends", mends},
-            {"refused", refused},
-            {"origin", json_point(middle(surface))},
-            {"diagonal", box.diagonal().norm()},
-            {"defects", defects(*soup, middle(surface))}};
+  m_file = {{"name", m_saved.name},         {"mends", mends},       {"refused", refused},
+            {"origin", json_point(centre)}, {"diagonal", diagonal}, {"defects", defects(*soup, centre)}};
   changed(watch.milliseconds(), "opened " + m_saved.name);
+  return {};
+}
+
+Result<void> Session::choose(std::int64_t component, Observer& observer) {
+  if (!part()) return no_mesh();
+  if (component < 1 || component > std::int64_t(m_parts.size()))
+    return make_error(Error_code::impossible_request, "the mesh has no part of that number");
+  const Stopwatch watch;
+  const auto chosen = std::size_t(component - 1);
+  observer.progress("preparing", 0);
+  if (Result<void> begun = m_parts[chosen]->begin(&observer); !begun) return begun;
+  m_part = chosen;
+  changed(watch.milliseconds(), "went to part " + std::to_string(component));
   return {};
 }
 
@@ -141,24 +150,32 @@ Result<void> Session::restore(Observer& observer) {
   Result<std::string> bytes = m_store.load_mesh(*last);
   if (!bytes) return bytes.error();
   Session restored(m_folder);
+  restored.m_keeps = false; // what is kept stays until all of it is back
   Saved_session origin = *last;
-  origin.edits = Json::array();
-  origin.applied = 0;
+  origin.parts.clear();
   if (Result<void> opened = restored.open(std::move(origin), *bytes, observer); !opened) return opened;
-  for (const Json& edit : last->edits)
-    if (Result<Json> done = restored.edit(edit, observer); !done) {
-      // What could be repeated is worth more than nothing; the sentence says where it ended.
-      restored.m_last = {{"ok", false},
-                         {"text", "restored up to an edit that is refused now: " + done.error().message}};
-      *this = std::move(restored);
-      return {};
-    }
-  if (Result<void> there = restored.go_to(last->applied); !there) return there;
+  Json text{{"ok", true}, {"text", "the last session is back"}};
+  for (const Saved_part& part : last->parts) {
+    Result<void> done = restored.repeat(part, observer);
+    if (!done && done.error().code == Error_code::cancelled) return done;
+    // What could be repeated is worth more than nothing; the sentence says where it ended.
+    if (!done)
+      text = {{"ok", false}, {"text", "restored up to an edit that is refused now: " + done.error().message}};
+  }
+  if (Result<void> chosen = restored.choose(last->component, observer); !chosen) return chosen;
   const std::int64_t revision = m_revision + restored.m_revision;
   *this = std::move(restored);
+  m_keeps = true;
   m_revision = revision;
-  m_last = {{"ok", true}, {"text", "the last session is back"}};
+  m_last = text;
   return {};
+}
+
+Result<void> Session::repeat(const Saved_part& saved, Observer& observer) {
+  if (Result<void> chosen = choose(saved.component, observer); !chosen) return chosen;
+  for (const Json& each : saved.edits)
+    if (Result<Json> done = edit(each, observer); !done) return done.error();
+  return go_to(saved.applied);
 }
 
 void Session::forget() {
@@ -166,75 +183,83 @@ void Session::forget() {
 }
 
 Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t drag, bool live) {
-  if (!m_work) return no_mesh();
+  if (!work()) return no_mesh();
   const Stopwatch watch;
   const bool replaces = drag > 0 && drag == m_drag;
   if (replaces)
-    if (Result<void> undone = m_work->undo(); !undone) return undone.error();
-  Result<Json> done = m_work->apply(edit, &observer, live);
+    if (Result<void> undone = work()->undo(); !undone) return undone.error();
+  Result<Json> done = work()->apply(edit, &observer, live);
   if (!done) {
     // The edit before is back, unless this one was stopped when it had taken its place already.
-    if (replaces && !m_work->redo()) changed(watch.milliseconds(), "stopped dragging");
+    if (replaces && !work()->redo()) changed(watch.milliseconds(), "stopped dragging");
     return done;
   }
-  m_milliseconds.resize(std::size_t(m_work->applied() - 1), 0);
-  m_milliseconds.push_back(watch.milliseconds());
-  changed(m_milliseconds.back(), edit_text(edit), !live);
+  part()->took(watch.milliseconds());
+  changed(watch.milliseconds(), edit_text(edit), !live);
   m_drag = drag;
   return done;
 }
 
 Result<Json> Session::preview(const Json& edit, Observer& observer) const {
-  if (!m_work) return no_mesh();
-  return m_work->preview(edit, &observer);
+  if (!work()) return no_mesh();
+  return work()->preview(edit, &observer);
 }
 
 Result<Json> Session::hints(Observer& observer) const {
-  if (!m_work) return no_mesh();
+  if (!work()) return no_mesh();
   Quiet_observer quiet(observer);
-  return m_work->hints(&quiet);
+  return work()->hints(&quiet);
 }
 
 Result<void> Session::step(bool forward) {
-  return forward ? m_work->redo() : m_work->undo();
+  return forward ? work()->redo() : work()->undo();
 }
 
 Result<void> Session::undo() {
-  if (!m_work) return no_mesh();
+  if (!work()) return no_mesh();
   const Stopwatch watch;
   if (Result<void> done = step(false); !done) return done;
-  changed(watch.milliseconds(), "undid: " + edit_text(m_work->edits()[std::size_t(m_work->applied())]));
+  changed(watch.milliseconds(), "undid: " + edit_text(work()->edits()[std::size_t(work()->applied())]));
   return {};
 }
 
 Result<void> Session::redo() {
-  if (!m_work) return no_mesh();
+  if (!work()) return no_mesh();
   const Stopwatch watch;
   if (Result<void> done = step(true); !done) return done;
-  changed(watch.milliseconds(), "redid: " + edit_text(m_work->edits()[std::size_t(m_work->applied() - 1)]));
+  changed(watch.milliseconds(), "redid: " + edit_text(work()->edits()[std::size_t(work()->applied() - 1)]));
   return {};
 }
 
 Result<void> Session::go_to(int target) {
-  if (!m_work) return no_mesh();
-  if (target < 0 || target > int(m_work->edits().size()))
+  if (!work()) return no_mesh();
+  if (target < 0 || target > int(work()->edits().size()))
     return make_error(Error_code::impossible_request, "the history has no such step");
   const Stopwatch watch;
-  while (m_work->applied() != target)
-    if (Result<void> done = step(m_work->applied() < target); !done) return done;
+  while (work()->applied() != target)
+    if (Result<void> done = step(work()->applied() < target); !done) return done;
   changed(watch.milliseconds(), "went to step " + std::to_string(target));
   return {};
 }
 
-void Session::changed(double milliseconds, const std::string& text, bool save) {
+void Session::changed(double milliseconds, const std::string& text, bool keep) {
   ++m_revision;
   m_drag = 0;
   m_layers_are_stale = true;
-  m_saved.edits = m_work->edits();
-  m_saved.applied = m_work->applied();
-  measure();
+  // A part that is only looked at keeps its certificate.
+  if (!part()->is_finished() || !part()->has_quads()) part()->measure();
   m_last = {{"ok", true}, {"text", text}, {"milliseconds", milliseconds}};
-  if (!save) return;
+  if (keep && m_keeps) save();
+}
+
+void Session::save() {
+  m_saved.component = int(m_part) + 1;
+  m_saved.parts.clear();
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    const Workpiece* each = m_parts[i]->work();
+    const std::vector<Json> edits = each ? each->edits() : std::vector<Json>();
+    if (!edits.empty()) m_saved.parts.push_back({int(i) + 1, edits, each->applied()});
+  }
   if (Result<void> saved = m_store.save(m_saved); !saved) {
     // The work itself is done; the page says that it is not kept.
     m_last["warning"] = "the session could not be saved: " + saved.error().message;
@@ -243,139 +268,118 @@ void Session::changed(double milliseconds, const std::string& text, bool save) {
 
 Result<void> Session::finish(Observer& observer) {
   if (is_finished()) return {};
-  observer.progress("relaxing the quads", 0);
-  if (Result<void> done = m_work->finish(&observer); !done) return done;
+  if (Result<void> done = part()->finish(observer); !done) return done;
   ++m_revision;
   m_layers_are_stale = true;
-  measure();
-  certify_quads(false, nullptr);
+  return {};
+}
+
+// Fails where there are no quads at all.
+Result<void> Session::finish_all(Observer& observer) {
+  bool has_quads = false;
+  for (const auto& each : m_parts) {
+    has_quads = has_quads || each->has_quads();
+    if (each.get() == part()) {
+      if (Result<void> done = finish(observer); !done) return done;
+    } else if (Result<void> done = each->finish(observer); !done) {
+      return done;
+    }
+  }
+  if (!has_quads) return make_error(Error_code::impossible_request, "there are no quads yet");
   return {};
 }
 
 Result<void> Session::certify(Observer& observer) {
-  if (!m_work || !m_work->quads())
+  if (!part() || !part()->has_quads())
     return make_error(Error_code::impossible_request, "there are no quads yet");
   const Stopwatch watch;
   if (Result<void> finished = finish(observer); !finished) return finished;
   observer.progress("certificate", 0);
-  certify_quads(true, &observer);
+  part()->certify(true, &observer);
   ++m_revision;
   m_last = {{"ok", true}, {"text", "certified"}, {"milliseconds", watch.milliseconds()}};
   return {};
 }
 
-// What every edit is followed by is linear in the quads only; the certificate, which also reads the surface, comes when the
-// quads are finished.
-void Session::measure() {
-  m_certificate.reset();
-  m_statistics.reset();
-  if (const Stitched_mesh* quads = m_work->quads()) m_statistics = quad_statistics(quads->mesh);
-}
-
-void Session::certify_quads(bool wholly, const Observer* observer) {
-  const Stitched_mesh quads = with_paired_fans(*m_work->quads(), m_work->fans());
-  Certificate_options options;
-  options.measure_distance = options.find_self_intersections = wholly;
-  options.observer = observer;
-  m_certificate = CGAL::Reeb_quadrangulation::certify(
-      {quads.mesh, &m_work->surface(), quads.valences, quads.components}, options);
-}
-
 const Layers& Session::layers() {
-  if (m_layers_are_stale) m_layers = m_work ? m_work->layers() : Layers();
+  if (m_layers_are_stale) m_layers = work() ? work()->layers() : Layers();
   m_layers_are_stale = false;
   return m_layers;
 }
 
 Result<std::shared_ptr<const std::string>> Session::chart(int index) const {
-  if (!m_work) return no_mesh();
-  return m_work->chart(index);
+  if (!work()) return no_mesh();
+  return work()->chart(index);
 }
 
 Result<std::string> Session::export_quads(const std::string& extension, Observer& observer) {
-  if (!m_work || !m_work->quads())
-    return make_error(Error_code::impossible_request, "there are no quads yet");
-  if (Result<void> finished = finish(observer); !finished) return finished.error();
+  if (Result<void> finished = finish_all(observer); !finished) return finished.error();
   const Mesh_format format = format_of_extension("quads." + extension);
-  Result<Encoded_mesh> encoded = encode_mesh(with_fans(m_work->quads()->mesh, m_work->fans()), format);
+  Result<Encoded_mesh> encoded = encode_mesh(joined_polygons(m_parts), format);
   if (!encoded) return encoded.error();
   return std::move(encoded->bytes);
 }
 
 Result<std::string> Session::html_report(Observer& observer) {
-  if (Result<void> certified = certify(observer); !certified) return certified.error();
+  if (Result<void> finished = finish_all(observer); !finished) return finished.error();
+  observer.progress("certificate", 0);
+  const Measured_parts measured = measure_together(m_parts, observer);
   Html_report report;
   report.title = m_saved.name;
-  Json mends = Json::array(), edits = Json::array(), axis = {0, 1, 0};
+  Json mends = Json::array(), edits = Json::array(), axis = {0, 1, 0}, components = Json::array();
   for (const Json& text : m_file["mends"]) mends.push_back({{"text", text}});
-  const Json all = history();
-  for (int i = 0; i < m_work->applied(); ++i) {
-    edits.push_back({{"text", all[i]["text"]}, {"milliseconds", all[i]["milliseconds"]}});
-    axis = all[i]["edit"].value("axis", axis);
+  std::size_t points = 0, faces = 0;
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    const Part& each = *m_parts[i];
+    components.push_back(each.facts());
+    points += each.surface().points.size();
+    faces += each.surface().triangles.size();
+    if (!each.has_quads()) continue;
+    const Json all = each.history();
+    const std::string which = m_parts.size() > 1 ? "part " + std::to_string(i + 1) + ": " : "";
+    for (int k = 0; k < each.work()->applied(); ++k) {
+      edits.push_back(
+          {{"text", which + all[k]["text"].get<std::string>()}, {"milliseconds", all[k]["milliseconds"]}});
+      axis = all[k]["edit"].value("axis", axis);
+    }
+    report.parts.push_back(each.work()->layers());
   }
-  report.facts = {
-      {"version", REEBQUAD_VERSION},
-      {"input", {{"file", m_saved.name}, {"points", m_file["points"]}, {"faces", m_file["triangles"]}}},
-      {"axis", axis},
-      {"mends", mends},
-      {"components", Json::array({{{"triangles", m_file["triangles"]},
-                                   {"genus", m_file["genus"]},
-                                   {"quads", m_work->quads()->mesh.quads.size()}}})},
-      {"certificate", Json::parse(to_json(*m_certificate))},
-      {"statistics", Json::parse(to_json(*m_statistics))},
-      {"edits", edits}};
-  report.parts.push_back(layers());
+  report.facts = {{"version", REEBQUAD_VERSION},
+                  {"input", {{"file", m_saved.name}, {"points", points}, {"faces", faces}}},
+                  {"axis", axis},
+                  {"mends", mends},
+                  {"components", components},
+                  {"certificate", Json::parse(to_json(measured.certificate))},
+                  {"statistics", Json::parse(to_json(measured.statistics))},
+                  {"edits", edits}};
   return html_text(report);
 }
 
 Result<std::string> Session::recipe() const {
-  if (!m_work) return no_mesh();
-  return m_work->recipe();
-}
-
-Json Session::history() const {
-  Json list = Json::array();
-  const std::vector<Json> edits = m_work->edits();
-  for (std::size_t i = 0; i < edits.size(); ++i)
-    list.push_back({{"text", edit_text(edits[i])},
-                    {"edit", edits[i]},
-                    {"milliseconds", i < m_milliseconds.size() ? m_milliseconds[i] : 0.0}});
-  return list;
-}
-
-// Sum of 4 - valence over interior, of 3 - valence over boundary vertices, is 4 (V - E + F): so the surface says how many
-// extraordinary vertices there must be, and the statistics how many there are.
-Json Session::budget() const {
-  Json interior = Json::object(), boundary = Json::object();
-  if (m_statistics) {
-    // Two triangles of a fan count as a quad: the sum is the same.
-    const Mesh_statistics statistics =
-        m_work->fans().empty() ? *m_statistics
-                               : quad_statistics(with_paired_fans(*m_work->quads(), m_work->fans()).mesh);
-    for (const auto& [valence, number] : statistics.interior_valences)
-      interior[std::to_string(valence)] = number;
-    for (const auto& [valence, number] : statistics.boundary_valences)
-      boundary[std::to_string(valence)] = number;
-  }
-  return {{"needed", 4 * m_file["euler_characteristic"].get<int>()},
-          {"interior", interior},
-          {"boundary", boundary}};
+  if (!work()) return no_mesh();
+  Recipe recipe = work()->recipe();
+  if (m_parts.size() > 1) recipe.component = int(m_part) + 1;
+  return to_json(recipe);
 }
 
 Json Session::state() const {
   Json state{{"event", "state"}, {"revision", m_revision}, {"file", m_file}, {"last", m_last}};
-  if (!m_work) {
+  if (!work()) {
     const std::optional<Saved_session> last = m_store.load();
-    if (last) state["last_session"] = {{"name", last->name}, {"edits", last->edits.size()}};
+    if (last) state["last_session"] = {{"name", last->name}, {"edits", last->number_of_edits()}};
     return state;
   }
-  state["history"] = history();
-  state["applied"] = m_work->applied();
-  state["facts"] = m_work->facts();
-  state["finished"] = m_work->is_finished();
-  state["budget"] = budget();
-  if (m_certificate) state["certificate"] = Json::parse(to_json(*m_certificate));
-  if (m_statistics) state["statistics"] = Json::parse(to_json(*m_statistics));
+  state["file"].update(part()->facts());
+  state["file"]["component"] = m_part + 1;
+  state["file"]["components"] = Json::array();
+  for (const auto& each : m_parts) state["file"]["components"].push_back(each->facts());
+  state["history"] = part()->history();
+  state["applied"] = work()->applied();
+  state["facts"] = work()->facts();
+  state["finished"] = part()->is_finished();
+  state["budget"] = part()->budget();
+  if (part()->certificate()) state["certificate"] = Json::parse(to_json(*part()->certificate()));
+  if (part()->statistics()) state["statistics"] = Json::parse(to_json(*part()->statistics()));
   return state;
 }
 

@@ -2,16 +2,13 @@
 #ifndef REEBQUAD_STUDIO_SESSION_H
 #define REEBQUAD_STUDIO_SESSION_H
 
+#include "Part.h"
 #include "Store.h"
-#include "Workpiece.h"
-
-#include <CGAL/Reeb_quadrangulation/certificate.h>
-#include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 
 namespace reebquad {
 namespace studio {
 
-/// One mesh and the work on it: what all pages that are open show. Used by the worker's thread only.
+/// One mesh and the work on its parts, one of which is worked on: what all pages that are open show. Used by the worker's thread only.
 class Session {
 public:
   using Observer = CGAL::Reeb_quadrangulation::Observer;
@@ -23,6 +20,8 @@ public:
   /// @{
   Result<void> open_file(const std::string& name, Observer& observer);
   Result<void> open_upload(const std::string& name, const std::string& bytes, Observer& observer);
+  /// Works on another connected component of the mesh, counted from 1; what was done to the others stays.
+  Result<void> choose(std::int64_t component, Observer& observer);
   /// Opens the mesh of the last session and repeats its edits.
   Result<void> restore(Observer& observer);
   void forget();
@@ -38,7 +37,7 @@ public:
   Result<void> go_to(int step);
   /// Relaxes the quads, which edits leave undone so that they are quick.
   Result<void> finish(Observer& observer);
-  bool is_finished() const { return !m_work || m_work->is_finished(); }
+  bool is_finished() const { return !part() || part()->is_finished(); }
   /// Certifies with all checks, also distance and self-intersections.
   Result<void> certify(Observer& observer);
   /// @}
@@ -50,10 +49,11 @@ public:
   /// The geometry; made anew after a change only.
   const Layers& layers();
   Result<std::shared_ptr<const std::string>> chart(int index) const;
-  /// The quads in the format of that extension ("obj", "off", "ply", "vtk", "stl", "glb").
+  /// The quads of all components that have some, in the format of that extension ("obj", "off", "ply", "vtk", "stl", "glb").
   Result<std::string> export_quads(const std::string& extension, Observer& observer);
   /// Certifies with all checks first; see `html_text()`.
   Result<std::string> html_report(Observer& observer);
+  /// Of the component that is worked on.
   Result<std::string> recipe() const;
 
   const Folder& folder() const { return m_folder; }
@@ -63,20 +63,21 @@ private:
   Result<void> step(bool forward);
   /// What follows every change: measures, saves.
   void changed(double milliseconds, const std::string& text, bool save = true);
-  void measure();
-  void certify_quads(bool wholly, const Observer* observer);
-  Json budget() const;
-  Json history() const;
+  void save();
+  /// The component that is worked on, or null.
+  Part* part() const { return m_parts.empty() ? nullptr : m_parts[m_part].get(); }
+  Workpiece* work() const { return part() ? part()->work() : nullptr; }
+  Result<void> repeat(const Saved_part& saved, Observer& observer);
+  Result<void> finish_all(Observer& observer);
 
   Folder m_folder;
   Store m_store;
-  std::unique_ptr<Workpiece> m_work;
+  Parts m_parts;          ///< the components of the mesh; empty while none is open
+  std::size_t m_part = 0; ///< that is worked on
   Saved_session m_saved;
-  Json m_file = nullptr;              ///< what is said about the mesh that is open
-  std::vector<double> m_milliseconds; ///< of each edit
+  bool m_keeps = true;   ///< saves what changes
+  Json m_file = nullptr; ///< what is said about the mesh that is open
   Json m_last = nullptr;
-  std::optional<CGAL::Reeb_quadrangulation::Certificate> m_certificate;
-  std::optional<CGAL::Reeb_quadrangulation::Mesh_statistics> m_statistics;
   Layers m_layers;
   bool m_layers_are_stale = true;
   std::int64_t m_revision = 0;

@@ -15,12 +15,30 @@ using CGAL::Reeb_quadrangulation::write_file_atomically;
 
 namespace {
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr std::uint64_t largest_session = std::uint64_t(64) << 20;
 constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
 const char* const upload_prefix = "mesh-";
 
+/// Throws an exception of Json where it is none of ours.
+std::optional<Saved_part> part_of(const Json& json) {
+  Saved_part part;
+  json.at("component").get_to(part.component);
+  part.edits = json.at("edits");
+  json.at("applied").get_to(part.applied);
+  if (part.component < 1 || !part.edits.is_array() || part.applied < 0 ||
+      part.applied > int(part.edits.size()))
+    return std::nullopt;
+  return part;
+}
+
 } // namespace
+
+std::size_t Saved_session::number_of_edits() const {
+  std::size_t number = 0;
+  for (const Saved_part& part : parts) number += part.edits.size();
+  return number;
+}
 
 std::string digest(const std::string& bytes) {
   std::uint64_t hash = 14695981039346656037u;
@@ -63,9 +81,16 @@ fs::path Store::upload_path(const Saved_session& session) const {
 
 Result<void> Store::save(const Saved_session& session) const {
   if (Result<void> made = make_folder(); !made) return made;
-  const Json json{{"version", format_version}, {"name", session.name},     {"file", session.file},
-                  {"bytes", session.bytes},    {"digest", session.digest}, {"edits", session.edits},
-                  {"applied", session.applied}};
+  Json parts = Json::array();
+  for (const Saved_part& part : session.parts)
+    parts.push_back({{"component", part.component}, {"edits", part.edits}, {"applied", part.applied}});
+  const Json json{{"version", format_version},
+                  {"name", session.name},
+                  {"file", session.file},
+                  {"bytes", session.bytes},
+                  {"digest", session.digest},
+                  {"component", session.component},
+                  {"parts", parts}};
   Result<void> written = write_file_atomically(
       (m_folder / "session.json").string(), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   if (!written) return written;
@@ -96,13 +121,16 @@ std::optional<Saved_session> Store::load() const {
     json.at("file").get_to(session.file);
     json.at("bytes").get_to(session.bytes);
     json.at("digest").get_to(session.digest);
-    session.edits = json.at("edits");
-    json.at("applied").get_to(session.applied);
+    json.at("component").get_to(session.component);
+    if (!json.at("parts").is_array()) return std::nullopt;
+    for (const Json& entry : json.at("parts")) {
+      std::optional<Saved_part> part = part_of(entry);
+      if (!part) return std::nullopt;
+      session.parts.push_back(std::move(*part));
+    }
     const bool is_digest = session.digest.size() == 16 &&
                            session.digest.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (!is_digest || !session.edits.is_array() || session.applied < 0 ||
-        session.applied > int(session.edits.size()))
-      return std::nullopt;
+    if (!is_digest || session.component < 1) return std::nullopt;
     return session;
   } catch (const Json::exception&) {
     return std::nullopt; // not a session of ours: as if there were none

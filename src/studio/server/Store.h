@@ -10,14 +10,22 @@
 namespace reebquad {
 namespace studio {
 
-/// A design as it is kept on disk: where the mesh is, and what was done to it.
-struct Saved_session {
-  std::string name;        ///< as the page shows it
-  std::string file;        ///< in the user's folder; empty if the mesh was uploaded
-  std::uint64_t bytes = 0; ///< of the mesh file
-  std::string digest;      ///< of its bytes
+/// What was done to one connected component of a mesh.
+struct Saved_part {
+  int component = 1; ///< counted from 1
   Json edits = Json::array();
   int applied = 0; ///< the first so many edits are applied, the others can be redone
+};
+
+/// A design as it is kept on disk: where the mesh is, and what was done to it.
+struct Saved_session {
+  std::string name;              ///< as the page shows it
+  std::string file;              ///< in the user's folder; empty if the mesh was uploaded
+  std::uint64_t bytes = 0;       ///< of the mesh file
+  std::string digest;            ///< of its bytes
+  std::vector<Saved_part> parts; ///< those with edits, by increasing component
+  int component = 1;             ///< that is worked on
+  std::size_t number_of_edits() const;
 };
 
 /// Keeps the session in the folder `.reebquad` of the user's folder, so that nothing is lost whenever the process ends:

@@ -13,12 +13,6 @@ namespace studio {
 
 using namespace CGAL::Reeb_quadrangulation;
 
-Point middle(const Triangle_surface& surface) {
-  Eigen::AlignedBox3d box;
-  for (const Point& p : surface.points) box.extend(p);
-  return box.isEmpty() ? Point::Zero() : Point(box.center());
-}
-
 namespace {
 
 Json json_of(const Edit_report& report) {
@@ -106,17 +100,18 @@ Json chart_json(const Design_chart& chart) {
 
 } // namespace
 
-Workpiece::Workpiece(Editor editor) : m_editor(std::move(editor)), m_origin(middle(m_editor.input())) {
+Workpiece::Workpiece(Editor editor, const Point& origin) : m_editor(std::move(editor)), m_origin(origin) {
   Layer_source source;
   source.surface = &m_editor.working_surface();
   source.origin = m_origin;
   m_surface = make_layers(source);
 }
 
-Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, Observer* observer) {
+Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, const Point& origin,
+                                                     Observer* observer) {
   Result<Editor> editor = Editor::create(std::move(surface), {}, observer);
   if (!editor) return editor.error();
-  return std::unique_ptr<Workpiece>(new Workpiece(std::move(*editor)));
+  return std::unique_ptr<Workpiece>(new Workpiece(std::move(*editor), origin));
 }
 
 Result<Json> Workpiece::apply(const Json& edit, Observer* observer, bool live) {
@@ -166,6 +161,7 @@ Result<void> Workpiece::redo() {
 
 void Workpiece::stitch() {
   m_finished = false;
+  m_designed.clear();
   if (m_editor.design().charts.empty())
     m_quads.reset();
   else
@@ -191,35 +187,44 @@ std::vector<Json> Workpiece::edits() const {
   return list;
 }
 
-std::string Workpiece::recipe() const {
-  return to_json(recipe_of(m_editor));
+Recipe Workpiece::recipe() const {
+  return recipe_of(m_editor);
 }
 
-Layers Workpiece::layers() const {
+Layers Workpiece::layers() {
   const Design& design = m_editor.design();
-  if (design.charts.empty()) return m_surface;
+  Layers layers = m_surface;
+  if (design.charts.empty()) return layers;
   Layer_source source;
   source.origin = m_origin;
-  const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
-  const Reeb_graph graph = reeb_graph(design.atlas, design.network);
-  const std::vector<double> values = design_field(design, embedded.embedding);
-  const Charted_surface charted{
-      m_editor.working_surface(), embedded.embedding, design.network, graph, embedded.chart_of_face, values};
-  source.charted = &charted;
   for (const auto& chart : design.charts) source.chart_ids.push_back(chart->id);
-  source.extrema = design.extrema;
-  source.counts = design.samples.counts;
-  Quad_mesh quads;
+  if (m_designed.empty()) {
+    const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
+    const Reeb_graph graph = reeb_graph(design.atlas, design.network);
+    const std::vector<double> values = design_field(design, embedded.embedding);
+    const Charted_surface charted{m_editor.working_surface(),
+                                  embedded.embedding,
+                                  design.network,
+                                  graph,
+                                  embedded.chart_of_face,
+                                  values};
+    source.charted = &charted;
+    source.extrema = design.extrema;
+    source.counts = design.samples.counts;
+    if (m_quads) source.textures = &m_stitched;
+    m_designed = make_layers(source);
+    source.charted = nullptr;
+    source.textures = nullptr;
+  }
+  layers.insert(m_designed.begin(), m_designed.end());
   if (m_quads) {
-    quads = drawn(m_quads->mesh, m_fans);
-    source.textures = &m_stitched;
+    const Quad_mesh quads = drawn(m_quads->mesh, m_fans);
     source.quads = &quads;
     source.chart_of_quad = m_quads->chart_of_quad;
     for (const Pole_fan& fan : m_fans)
       source.chart_of_quad.insert(source.chart_of_quad.end(), fan.ring.size(), chart_of(fan, *m_quads));
+    layers.merge(make_layers(source));
   }
-  Layers layers = make_layers(source);
-  layers.insert(m_surface.begin(), m_surface.end());
   return layers;
 }
 

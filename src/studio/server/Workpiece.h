@@ -4,7 +4,7 @@
 
 #include "Layers.h"
 
-#include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/pole_fans.h>
 
 #include <memory>
@@ -19,8 +19,9 @@ public:
   using Observer = CGAL::Reeb_quadrangulation::Observer;
   template <class T> using Result = CGAL::Reeb_quadrangulation::Result<T>;
 
-  /// Nothing is designed yet. \pre `surface` is connected by `connect()`
+  /// Nothing is designed yet. Layers have their points relative to `origin`. \pre `surface` is connected by `connect()`
   static Result<std::unique_ptr<Workpiece>> create(CGAL::Reeb_quadrangulation::Triangle_surface surface,
+                                                   const CGAL::Reeb_quadrangulation::Point& origin,
                                                    Observer* observer);
 
   /// \name Edits
@@ -41,9 +42,9 @@ public:
   /// Those that are applied, then those that can be redone.
   std::vector<Json> edits() const;
   int applied() const { return m_editor.position(); }
-  std::string recipe() const;
+  CGAL::Reeb_quadrangulation::Recipe recipe() const;
 
-  Layers layers() const;
+  Layers layers();
   /// What the page shows besides geometry: charts, extrema, the size of the quads.
   Json facts() const;
   /// The frame of a chart's texture. Fails with `impossible_request` if there is no chart of that identity.
@@ -57,21 +58,20 @@ public:
   bool is_finished() const { return m_finished || !m_quads; }
 
 private:
-  explicit Workpiece(CGAL::Reeb_quadrangulation::Editor editor);
+  Workpiece(CGAL::Reeb_quadrangulation::Editor editor, const CGAL::Reeb_quadrangulation::Point& origin);
   void stitch();
 
   CGAL::Reeb_quadrangulation::Editor m_editor;
   CGAL::Reeb_quadrangulation::Point m_origin;
   Layers m_surface; ///< the layer of the surface, which no edit changes
+  Layers
+      m_designed; ///< the layers that do not change when the quads are finished; empty if they are to be made
   std::optional<CGAL::Reeb_quadrangulation::Stitched_mesh> m_quads;
   std::vector<CGAL::Reeb_quadrangulation::Pole_fan> m_fans; ///< of `m_quads`
   CGAL::Reeb_quadrangulation::Quad_mesh m_stitched;         ///< the quads and fans before they were finished
   bool m_finished = false;
   bool m_withdrawn = false; ///< the last edit, which could be redone, was taken back for good
 };
-
-/// The middle of the bounding box of the points.
-CGAL::Reeb_quadrangulation::Point middle(const CGAL::Reeb_quadrangulation::Triangle_surface& surface);
 
 } // namespace studio
 } // namespace reebquad

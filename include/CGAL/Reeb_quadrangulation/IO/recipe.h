@@ -14,6 +14,9 @@ namespace Reeb_quadrangulation {
 /// the same shape, the same design.
 struct Recipe {
   Editor_options options; ///< without the number of threads
+  /// Of a file with several connected components, the one that the design is for, counted from 1 in the order of `mend_surface()`;
+  /// 0: the file has one only.
+  int component = 0;
   std::vector<Edit> edits;
 };
 

@@ -2,7 +2,7 @@
 // The page: puts the parts together and carries what one says to the others.
 import * as THREE from "three";
 import { Connection, RequestError } from "./net/connection";
-import type { Edit, State } from "./net/messages";
+import type { Edit, FileFacts, State } from "./net/messages";
 import { layerList, switched, type ViewId } from "./scene/layers";
 import { Stage } from "./scene/stage";
 import { Viewport } from "./scene/viewport";
@@ -26,6 +26,7 @@ import { icons } from "./ui/icons";
 import { keyboardHelp, listenToKeys, type Shortcut } from "./ui/keyboard";
 import { layersPanel } from "./ui/layers_panel";
 import { openDialog } from "./ui/open_dialog";
+import { partsPanel } from "./ui/parts_panel";
 import { progressBar } from "./ui/progress";
 import { qualityPanel } from "./ui/quality_panel";
 import { statusBar } from "./ui/status_bar";
@@ -44,7 +45,8 @@ export class App {
   readonly chartView: ChartView;
   private readonly drags: DragEdits;
   private readonly hintsHost = h("div", {});
-  private fileName = "";
+  /** The file and the part of it that is shown. */
+  private shown = "";
   private hadQuads = false;
 
   constructor(root: HTMLElement) {
@@ -119,7 +121,7 @@ export class App {
   async download(what: string, name: string): Promise<void> {
     try {
       save(await this.connection.download(what), name);
-      this.toasts.show(`${name} is in your downloads`, "", "good");
+      this.toasts.show(`${name} is in your downloads`, what === "recipe" ? "" : this.missingParts(), "good");
     } catch (error) {
       this.tell(error);
     }
@@ -140,21 +142,36 @@ export class App {
     return (this.store.get("state")?.file?.name ?? "mesh").replace(/^.*\//, "").replace(/\.[^.]*$/, "");
   }
 
+  /** Says which parts of the file have no quads. */
+  private missingParts(): string {
+    const parts = this.store.get("state")?.file?.components ?? [];
+    const without = parts.flatMap((part, i) => (part.quads > 0 ? [] : [i + 1]));
+    if (without.length === 0) return "";
+    return `Without ${without.length > 1 ? "parts" : "part"} ${without.join(", ")}: no quads there yet.`;
+  }
+
   private takeState(state: State): void {
     this.store.set("state", state);
     const name = state.file?.name ?? "";
     const hasQuads = Boolean(state.statistics);
-    if (name && name !== this.fileName) {
+    const shown = state.file ? `${state.file.component} ${name}` : "";
+    if (name && shown !== this.shown) {
+      this.tools.escape();
       setTimeout(() => this.stage.surface.prepare(), 500);
       this.viewport.fit(this.stage.surface.positions);
-      if (state.file!.mends.length) this.toasts.show("The mesh was mended", state.file!.mends.join(" "));
-      if (state.file!.components > 1) this.toasts.show("There are several parts", `The largest of ${state.file!.components} is worked on.`);
+      if (!this.shown.endsWith(` ${name}`)) this.tellOfFile(state.file!);
     }
     if (hasQuads && !this.hadQuads) this.setView("quads");
-    if (!hasQuads && (this.hadQuads || name !== this.fileName)) this.setView("surface");
-    this.fileName = name;
+    if (!hasQuads && (this.hadQuads || shown !== this.shown)) this.setView("surface");
+    this.shown = shown;
     this.hadQuads = hasQuads;
     if (state.last?.warning) this.toasts.show("Not saved", state.last.warning, "bad");
+  }
+
+  private tellOfFile(file: FileFacts): void {
+    if (file.mends.length) this.toasts.show("The mesh was mended", file.mends.join(" "));
+    const { length } = file.components;
+    if (length > 1) this.toasts.show(`The mesh has ${length} parts`, `Part ${file.component}, the largest, is shown. The list “Parts” has the others.`);
   }
 
   private wire(canvasHost: HTMLElement, openMesh: () => void, help: HTMLButtonElement): void {
@@ -207,7 +224,7 @@ export class App {
       const state = this.store.get("state");
       undo.disabled = !state?.applied;
       redo.disabled = (state?.applied ?? 0) >= (state?.history?.length ?? 0);
-      exportQuads.disabled = format.disabled = report.disabled = !state?.statistics;
+      exportQuads.disabled = format.disabled = report.disabled = !state?.file?.components.some((part) => part.quads > 0);
       saveRecipe.disabled = !state?.file;
     });
     const top = h(
@@ -221,6 +238,7 @@ export class App {
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
     const side = h(
       "aside", { className: "side" },
+      partsPanel(this.store, (component) => void this.ask("component", { component })),
       panel("Design", designPanel(this.store, (edit) => void this.edit(edit))),
       panel("Chart", chartPanel(this)),
       panel("Layers", layersPanel(this.store)),

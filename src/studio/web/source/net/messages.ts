@@ -16,14 +16,23 @@ export interface Failure {
   index: number;
 }
 
-export interface FileFacts {
-  name: string;
+/** A connected component of the file. */
+export interface PartFacts {
   points: number;
   triangles: number;
   euler_characteristic: number;
   genus: number;
   boundary_loops: number;
-  components: number;
+  quads: number;
+  edits: number;
+}
+
+/** The file, and the part of it that is worked on. */
+export interface FileFacts extends PartFacts {
+  name: string;
+  /** The number of the part that is worked on, from 1. */
+  component: number;
+  components: PartFacts[];
   mends: string[];
   refused: string[];
   origin: Vector;

@@ -67,7 +67,7 @@ export class Surface {
     geometry.setAttribute("chart", new THREE.BufferAttribute(new Float32Array(corners), 1));
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
-    this.radius = radiusOf(this.positions);
+    this.radius = ballOf(this.positions).radius;
     this.clearDesign();
   }
 
@@ -293,11 +293,13 @@ function spread(values: Float32Array, index: Uint32Array, size: number): Float32
   return out;
 }
 
-/** The greatest distance of a point (x, y, z) from the origin. */
-export function radiusOf(points: Float32Array): number {
+/** The middle of the points' box, and the greatest distance of a point (x, y, z) from there. */
+export function ballOf(points: Float32Array): { centre: THREE.Vector3; radius: number } {
+  const box = new THREE.Box3().setFromArray(points);
+  const centre = box.isEmpty() ? new THREE.Vector3() : box.getCenter(new THREE.Vector3()), p = new THREE.Vector3();
   let square = 0;
-  for (let i = 0; i < points.length; i += 3) square = Math.max(square, points[i]! ** 2 + points[i + 1]! ** 2 + points[i + 2]! ** 2);
-  return Math.sqrt(square) || 1;
+  for (let i = 0; i < points.length; i += 3) square = Math.max(square, p.fromArray(points, i).distanceToSquared(centre));
+  return { centre, radius: Math.sqrt(square) || 1 };
 }
 
 /** The sum of the normals of the faces around each vertex, weighted by area. */

@@ -2,7 +2,7 @@
 // The canvas: camera, render on demand, and the rays of the pointer.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { radiusOf } from "./surface";
+import { ballOf } from "./surface";
 
 export interface Theme {
   top: string;
@@ -55,16 +55,17 @@ export class Viewport {
     this.wanted = true;
   }
 
-  /** Sees all of these points (x, y, z each) around the origin; from the front and a little from above, or from where it is. */
+  /** Sees all of these points (x, y, z each); from the front and a little from above, or from where it is. */
   fit(points: Float32Array, keepDirection = false): void {
     this.points = points;
-    this.radius = radiusOf(points);
+    const { centre, radius } = ballOf(points);
+    this.radius = radius;
     const up = this.camera.up.clone(), side = new THREE.Vector3(up.y, up.z, up.x), front = up.clone().cross(side).negate();
     const direction = keepDirection
       ? this.camera.position.clone().sub(this.controls.target).normalize()
       : new THREE.Vector3().addScaledVector(side, 0.5).addScaledVector(up, 0.32).addScaledVector(front, 1).normalize();
-    const distance = this.distanceFor(points, direction);
-    this.fly(new THREE.Vector3(), direction.multiplyScalar(distance), keepDirection);
+    const distance = this.distanceFor(points, centre, direction);
+    this.fly(centre, direction.multiplyScalar(distance), keepDirection);
     this.camera.near = this.radius / 200;
     this.camera.far = this.radius * 40;
     this.camera.updateProjectionMatrix();
@@ -72,14 +73,14 @@ export class Viewport {
     this.controls.maxDistance = this.radius * 15;
   }
 
-  /** How far the eye must be, in that direction from the origin, to have all points in the picture with a margin. */
-  private distanceFor(points: Float32Array, direction: THREE.Vector3): number {
+  /** How far the eye must be, in that direction from the centre, to have all points in the picture with a margin. */
+  private distanceFor(points: Float32Array, centre: THREE.Vector3, direction: THREE.Vector3): number {
     const right = this.camera.up.clone().cross(direction).normalize(), above = direction.clone().cross(right);
     const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * 0.88, wide = high * this.camera.aspect;
     const p = new THREE.Vector3();
     let distance = 0.1 * this.radius;
     for (let i = 0; i < points.length; i += 3) {
-      p.fromArray(points, i);
+      p.fromArray(points, i).sub(centre);
       distance = Math.max(distance, p.dot(direction) + Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(above)) / high));
     }
     return distance;
