@@ -13,7 +13,8 @@ export interface Hit {
 
 const hidden = -2; // the chart of a face that is drawn in pieces
 
-const mostDraped = 4000, drapePieces = 7;
+/** How many lines are laid onto the surface, how often one is halved, and how far beside it is too far, of the radius. */
+const mostDraped = 40000, mostHalvings = 4, drapeTolerance = 4e-4;
 
 interface Cuts {
   /** Of the vertices on contours, which are numbered after the surface's. */
@@ -190,22 +191,19 @@ export class Surface {
     return new Float32Array(out);
   }
 
-  /** Segments between points of the surface, made to lie on it: each in pieces, where there are few enough for that to be quick. */
+  /** Segments between points of the surface, made to lie on it: halved where the middle is beside it, where there are few enough for that to be quick. */
   drape(pairs: Float32Array): Float32Array {
-    const tree = pairs.length / 6 <= mostDraped ? (this.isEmpty ? null : (this.picker().geometry.boundsTree as MeshBVH)) : null;
-    if (!tree) return pairs;
-    const out: number[] = [], a = new THREE.Vector3(), b = new THREE.Vector3(), p = new THREE.Vector3(), found = { point: new THREE.Vector3(), distance: 0, faceIndex: 0 };
-    for (let i = 0; i < pairs.length; i += 6) {
-      a.fromArray(pairs, i);
-      b.fromArray(pairs, i + 3);
-      let last = a.toArray();
-      for (let k = 1; k <= drapePieces; ++k) {
-        p.lerpVectors(a, b, k / drapePieces);
-        const on = k < drapePieces && tree.closestPointToPoint(p, found) ? found.point.toArray() : p.toArray();
-        out.push(...last, ...on);
-        last = on;
-      }
-    }
+    if (this.isEmpty || pairs.length / 6 > mostDraped) return pairs;
+    const tree = this.picker().geometry.boundsTree as MeshBVH, tolerance = drapeTolerance * this.radius;
+    const out: number[] = [], found = { point: new THREE.Vector3(), distance: 0, faceIndex: 0 };
+    const lay = (a: THREE.Vector3, b: THREE.Vector3, halvings: number): void => {
+      const middle = a.clone().lerp(b, 0.5);
+      if (halvings === 0 || !tree.closestPointToPoint(middle, found) || found.distance < tolerance) return void out.push(a.x, a.y, a.z, b.x, b.y, b.z);
+      middle.copy(found.point);
+      lay(a, middle, halvings - 1);
+      lay(middle, b, halvings - 1);
+    };
+    for (let i = 0; i < pairs.length; i += 6) lay(new THREE.Vector3().fromArray(pairs, i), new THREE.Vector3().fromArray(pairs, i + 3), mostHalvings);
     return new Float32Array(out);
   }
 
