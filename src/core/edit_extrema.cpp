@@ -33,8 +33,7 @@ bool is_boundary_vertex(const Triangle_surface& s, int v) {
 Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
                             const std::vector<bool>& boundary_is_maximum) {
   const Triangle_surface& s = draft.surface();
-  std::sort(extrema.begin(), extrema.end(),
-            [](const Design_extremum& a, const Design_extremum& b) { return a.vertex < b.vertex; });
+  sort_by_vertex(extrema);
   for (std::size_t i = 0; i < extrema.size(); ++i) {
     extrema[i].pole = Pole_kind::quarter;
     extrema[i].segment = -1;
@@ -84,6 +83,11 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema) 
 }
 
 } // namespace
+
+void sort_by_vertex(std::vector<Design_extremum>& extrema) {
+  std::sort(extrema.begin(), extrema.end(),
+            [](const Design_extremum& a, const Design_extremum& b) { return a.vertex < b.vertex; });
+}
 
 Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field) {
   Result<Reeb_layout> layout = make_layout(draft.surface(), field, int(draft.network.edges.size()));
@@ -242,6 +246,7 @@ Result<Region> cut_out(Draft& draft, const std::set<int>& charts, int inside) {
   const auto around = std::find_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     return std::find(t.begin(), t.end(), inside) != t.end();
   });
+  CGAL_assertion(around != triangles.end());
   Region region;
   Result<Chart> chart =
       cut_region(*embedding, draft.network, draft.extremal_vertices(), int(around - triangles.begin()));
@@ -326,9 +331,8 @@ std::set<int> polar_charts(const Draft& draft, int disc) {
 }
 
 void insert_extremum(Draft& draft, const Design_extremum& e) {
-  const auto place = std::find_if(draft.extrema.begin(), draft.extrema.end(),
-                                  [&](const Design_extremum& x) { return x.vertex > e.vertex; });
-  draft.extrema.insert(place, e);
+  draft.extrema.push_back(e);
+  sort_by_vertex(draft.extrema);
 }
 
 Result<void> check_free(const Draft& draft, int vertex) {

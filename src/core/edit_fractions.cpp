@@ -538,10 +538,17 @@ Result<void> apply_edit(Draft& draft, const Split_pole& edit) {
     return {};
   }
   const int annulus = draft.atlas().charts_of_edge[extremum.segment][0];
+  const Contour_edge& segment = draft.network.edges[extremum.segment];
+  const bool on_segment =
+      std::find(segment.vertices.begin(), segment.vertices.end(), extremum.vertex) != segment.vertices.end();
+  // The extremum returns to its vertex, unless a contour has come between that and the segment.
+  const int vertex = on_segment || draft.chart_of_vertex(extremum.vertex) == annulus
+                         ? extremum.vertex
+                         : draft.network.nodes[segment.from].vertex;
   remove_edge(draft.network, extremum.segment);
-  extremum.segment = -1;
-  extremum.pole = edit.kind;
-  return redesign_region(draft, {annulus}, extremum.vertex, -1, 0);
+  extremum = {vertex, extremum.is_maximum, extremum.value, edit.kind, -1};
+  sort_by_vertex(draft.extrema);
+  return redesign_region(draft, {annulus}, vertex, -1, 0);
 }
 
 } // namespace Reeb_quadrangulation

@@ -54,6 +54,9 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit);
 Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
                              double strength);
 
+/// The order in which designs keep their extrema; no two share a vertex.
+void sort_by_vertex(std::vector<Design_extremum>& extrema);
+
 /// The charts that a field on the whole surface cuts it into; refused if it lacks one of its extrema.
 Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field);
 

@@ -234,6 +234,21 @@ TEST_CASE("a pole is split into halves and put together again") {
           "a half-pole needs two ends, or none");
 }
 
+TEST_CASE("a half-pole that a contour parts from its extremum becomes a pole at its own segment") {
+  Editor editor = sphere_session();
+  applied(editor, Split_pole{at(0, 0, 1), Pole_kind::half, {at(0.5, 0.3, 0.81), at(0.5, -0.3, 0.81)}});
+  const std::vector<Design_extremum> before = editor.design().extrema;
+  applied(editor, Subdivide_chart{at(0.4, 0, 0.91)}); // the pole is beyond
+  applied(editor, Split_pole{at(0.5, 0, 0.86), Pole_kind::quarter, {}});
+  CHECK(valences(editor) == std::map<int, int>{{3, 8}});
+  const auto is_old = [&](const Design_extremum& e) {
+    return std::any_of(before.begin(), before.end(),
+                       [&](const Design_extremum& b) { return b.vertex == e.vertex; });
+  };
+  const std::vector<Design_extremum>& after = editor.design().extrema;
+  CHECK(std::count_if(after.begin(), after.end(), is_old) == 1);
+}
+
 TEST_CASE("the corners of a cap move along its contour") {
   Editor editor = sphere_session();
   const int disc = chart_at(editor, at(0, 0, 1)).id;
