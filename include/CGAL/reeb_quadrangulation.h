@@ -65,6 +65,7 @@
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>
+#include <CGAL/Reeb_quadrangulation/texture_operator.h>
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
 
 #endif // CGAL_REEB_QUADRANGULATION_H

@@ -109,7 +109,8 @@ void declare(Command_line& line) {
       ("no-collapse", "keep charts that are thinner than half a quad")                                  //
       ("no-relax", "do not relax the quads on the surface")                                             //
       ("feature-angle", value<double>("DEGREES")->default_value(45),
-       "quads keep edges whose faces' normals differ by more; 0: none") //
+       "quads keep edges whose faces' normals differ by more; 0: none")     //
+      ("feature-lines", "lay whole lines of quads' edges onto sharp edges") //
       ("field", value<std::string>("WEIGHTS")->default_value("cotangent"),
        "weights of the field: cotangent or clamped")                                         //
       ("validate", "demand strict validity: also no inverted quad and no self-intersection") //
@@ -151,6 +152,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   pipeline.collapse_thin = !line.has("no-collapse");
   pipeline.relax = !line.has("no-relax");
   pipeline.features.feature_angle = in_range(line, "feature-angle", 0.0, 180.0);
+  pipeline.features.lines = line.has("feature-lines");
   pipeline.keep_features = pipeline.features.feature_angle > 0;
   pipeline.weights = choice<Weight_kind>(
       "--field", line.text("field"),

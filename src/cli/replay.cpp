@@ -25,6 +25,7 @@ struct Replay_options {
   int component = 0; ///< 0: as the recipe says
   int threads = 0;
   double feature_angle = 45;
+  bool feature_lines = false;
   bool relax = true;
   bool quiet = false;
 };
@@ -40,7 +41,8 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "threads", po::value<int>()->value_name("N")->default_value(0),
       "how many threads; 0: as many as there are")("no-relax", "do not relax the quads on the surface")(
       "feature-angle", po::value<double>()->value_name("DEGREES")->default_value(45),
-      "quads keep edges whose faces' normals differ by more; 0: none")("quiet", "print errors only");
+      "quads keep edges whose faces' normals differ by more; 0: none")(
+      "feature-lines", "lay whole lines of quads' edges onto sharp edges")("quiet", "print errors only");
   line.take("INPUT");
   line.take("RECIPE");
   if (!line.parse(arguments)) return std::nullopt;
@@ -63,6 +65,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   options.feature_angle = line.values["feature-angle"].as<double>();
   if (!(options.feature_angle >= 0 && options.feature_angle <= 180))
     throw Usage_error("--feature-angle lies between 0 and 180");
+  options.feature_lines = line.has("feature-lines");
   options.relax = !line.has("no-relax");
   options.quiet = line.has("quiet");
   return options;
@@ -93,6 +96,7 @@ Exit_code execute_replay(const Arguments& arguments) {
 
   Snap_options features;
   features.feature_angle = options->feature_angle;
+  features.lines = options->feature_lines;
   const Stitched_mesh quads =
       options->relax ? value_or_fail(editor.finished_quads({}, features, &observer), options->input)
                      : editor.quads();

@@ -109,7 +109,8 @@ Json relaxation_json(const Relax_report& relaxation) {
 Json features_json(const Snap_report& features) {
   return {{"corners", features.corners},
           {"missed_corners", features.missed_corners},
-          {"vertices", features.vertices}};
+          {"vertices", features.vertices},
+          {"on_lines", features.on_lines}};
 }
 
 Json component_json(const Component_run& component) {

@@ -140,37 +140,42 @@ public:
     internal::connect_quads(mesh.quads, int(mesh.points.size()), m_opposite);
   }
 
-  // Marks quads between marked ones, and lets single ones go: each corner of a region's border costs extraordinary vertices.
-  std::vector<char> smoothed(std::vector<char> marked) const {
-    for (const int enough : {2, 3, 3}) {
-      std::vector<char> next = marked;
+  // Means over neighbours, so that regions of large values are few and compact.
+  std::vector<double> averaged(std::vector<double> values) const {
+    for (int round = 0; round < 3; ++round) {
+      const std::vector<double> before = values;
       for (int q = 0; q < int(m_quads.size()); ++q) {
-        const bool opposite = (is_marked(marked, 4 * q) && is_marked(marked, 4 * q + 2)) ||
-                              (is_marked(marked, 4 * q + 1) && is_marked(marked, 4 * q + 3));
-        next[q] = marked[q] || opposite || neighbours(marked, q) >= enough;
+        double sum = 2 * before[q], weight = 2;
+        for (int h = 4 * q; h < 4 * q + 4; ++h)
+          if (m_opposite[h] >= 0) {
+            sum += before[m_opposite[h] / 4];
+            ++weight;
+          }
+        values[q] = sum / weight;
       }
-      marked = next;
     }
-    std::vector<char> next = marked;
-    for (int q = 0; q < int(m_quads.size()); ++q) next[q] = marked[q] && neighbours(marked, q) > 0;
-    return next;
+    return values;
   }
 
-  // About how many quads there are if these are subdivided: three more for each, and two where a T-junction is resolved.
-  double quads_after(const std::vector<char>& marked) const {
-    double more = 0;
-    for (int q = 0; q < int(m_quads.size()); ++q)
-      if (marked[q]) more += 3 + 2 * (4 - neighbours(marked, q));
-    return double(m_quads.size()) + more;
+  // Fills the corners and gaps of regions and takes off what sticks out of them: each corner of a border costs extraordinary vertices.
+  std::vector<char> smoothed(std::vector<char> marked) const {
+    for (const int enough : {2, 2, 3}) {
+      const std::vector<char> before = marked;
+      for (int q = 0; q < int(m_quads.size()); ++q)
+        if (neighbours(before, q) >= enough) marked[q] = 1;
+    }
+    for (int round = 0; round < 2; ++round) {
+      const std::vector<char> before = marked;
+      for (int q = 0; q < int(m_quads.size()); ++q)
+        if (neighbours(before, q) < 2) marked[q] = 0;
+    }
+    return marked;
   }
 
 private:
-  bool is_marked(const std::vector<char>& marked, int h) const {
-    return m_opposite[h] >= 0 && marked[m_opposite[h] / 4];
-  }
   int neighbours(const std::vector<char>& marked, int q) const {
     int n = 0;
-    for (int h = 4 * q; h < 4 * q + 4; ++h) n += is_marked(marked, h);
+    for (int h = 4 * q; h < 4 * q + 4; ++h) n += m_opposite[h] >= 0 && marked[m_opposite[h] / 4];
     return n;
   }
 
@@ -178,31 +183,53 @@ private:
   std::vector<int> m_opposite;
 };
 
-// The candidates that bend most: as many as give the number of quads.
-std::vector<char> bent_quads(const Quad_mesh& mesh, const Surface_projector& projector, double flat,
-                             const std::vector<char>& candidates, const Regions& regions, double quads) {
-  std::vector<std::pair<double, int>> order;
+// The quads that bend most, most of all first, without those that are nearly flat.
+std::vector<int> bent_quads(const Quad_mesh& mesh, const Surface_projector& projector, double flat,
+                            const std::vector<char>& candidates, const Regions& regions) {
+  std::vector<double> angles;
   int hint = -1;
-  const double least = flat * std::acos(-1.0) / 180;
+  for (const Quad& q : mesh.quads) angles.push_back(turn(mesh, q, projector, hint));
+  angles = regions.averaged(std::move(angles));
+  std::vector<std::pair<double, int>> order;
   for (int q = 0; q < int(mesh.quads.size()); ++q)
-    if (candidates[q])
-      if (const double angle = turn(mesh, mesh.quads[q], projector, hint); angle >= least)
-        order.push_back({-angle, q});
+    if (candidates[q] && angles[q] >= flat * std::acos(-1.0) / 180) order.push_back({-angles[q], q});
   std::sort(order.begin(), order.end());
-  const auto first = [&](std::size_t n) {
-    std::vector<char> marked(mesh.quads.size(), 0);
-    for (std::size_t i = 0; i < n; ++i) marked[order[i].second] = 1;
-    return regions.smoothed(std::move(marked));
-  };
+  std::vector<int> quads;
+  for (const auto& [angle, q] : order) quads.push_back(q);
+  return quads;
+}
+
+// A mesh in which quads are refined, and which ones.
+struct Refinement_step {
+  std::vector<char> marked;
+  Refined_quads refined;
+};
+
+Result<Refinement_step> refine(const Quad_mesh& mesh, std::vector<char> marked,
+                               const T_junction_options& lines) {
+  Result<Refined_quads> refined = refine_quads(mesh, marked, lines);
+  if (!refined) return refined.error();
+  return Refinement_step{std::move(marked), std::move(*refined)};
+}
+
+// Refines as many of the first quads as give a number of quads in the end.
+Result<Refinement_step> refine_first(const Quad_mesh& mesh, const std::vector<int>& order,
+                                     const Regions& regions, double quads, const T_junction_options& lines) {
+  Result<Refinement_step> best = refine(mesh, std::vector<char>(mesh.quads.size(), 0), lines);
   std::size_t low = 0, high = order.size();
-  while (low < high) {
+  while (best && low < high) {
     const std::size_t middle = (low + high + 1) / 2;
-    if (regions.quads_after(first(middle)) <= quads)
+    std::vector<char> marked(mesh.quads.size(), 0);
+    for (std::size_t i = 0; i < middle; ++i) marked[std::size_t(order[i])] = 1;
+    Result<Refinement_step> step = refine(mesh, regions.smoothed(std::move(marked)), lines);
+    if (!step) return step;
+    if (double(step->refined.mesh.quads.size()) <= quads) {
       low = middle;
-    else
+      best = std::move(step);
+    } else
       high = middle - 1;
   }
-  return first(low);
+  return best;
 }
 
 } // namespace
@@ -229,11 +256,14 @@ Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector
   for (int step = 2; step <= options.ratio; step *= 2) {
     const Regions regions(out.mesh);
     quads *= factor;
-    const std::vector<char> marked =
-        options.size ? regions.smoothed(large_quads(out.mesh, options))
-                     : bent_quads(out.mesh, projector, options.flat, candidates, regions, quads);
-    Result<Refined_quads> refined = refine_quads(out.mesh, marked);
-    if (!refined) return refined.error();
+    Result<Refinement_step> done =
+        options.size
+            ? refine(out.mesh, regions.smoothed(large_quads(out.mesh, options)), options.lines)
+            : refine_first(out.mesh, bent_quads(out.mesh, projector, options.flat, candidates, regions),
+                           regions, quads, options.lines);
+    if (!done) return done.error();
+    const std::vector<char>& marked = done->marked;
+    Refined_quads* const refined = &done->refined;
     for (std::size_t v = out.mesh.points.size(); v < refined->mesh.points.size(); ++v)
       refined->mesh.points[v] = projector.closest(refined->mesh.points[v]).point;
     std::vector<int> parent;

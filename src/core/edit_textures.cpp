@@ -5,6 +5,7 @@
 
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/texture_operator.h>
 
 #include <CGAL/assertions.h>
 
@@ -18,6 +19,69 @@ Surface_point surface_point(const Design_chart& chart, const Texture_place& plac
   CGAL_precondition(place.quad < 0);
   const std::vector<Chart_location> found = locate(*chart.chart, *chart.map, {place.v}, {place.u});
   return {position(*chart.chart, found[0]), -1};
+}
+
+namespace {
+
+bool is_of_whole_texture(Texture_operator o) {
+  return o == Texture_operator::subdivide || o == Texture_operator::coarsen;
+}
+
+bool is_of_polychord(Texture_operator o) {
+  return o == Texture_operator::insert_polychord || o == Texture_operator::delete_polychord;
+}
+
+bool has_fraction(Texture_operator o) {
+  return is_of_polychord(o) || o == Texture_operator::inset_quads || o == Texture_operator::open_quad ||
+         o == Texture_operator::close_quad;
+}
+
+Result<void> check(const Edit_texture& edit) {
+  const Texture_operator o = edit.operation;
+  const std::size_t n = edit.points.size();
+  const auto impossible = [](const char* message) {
+    return make_error(Error_code::impossible_request, message);
+  };
+  if (o == Texture_operator::open_quad) {
+    if (n != 2) return impossible("two points are needed, one for each edge");
+  } else if (o == Texture_operator::inset_quads || o == Texture_operator::delete_quads ||
+             o == Texture_operator::restore_quads) {
+    if (n == 0) return impossible("a point is needed for each quad");
+  } else if (n != 1)
+    return impossible("exactly one point is needed");
+  if (edit.fraction != 0.5 && !has_fraction(o)) return impossible("the operator has no fraction");
+  if (edit.scope == Edit_scope::surface && !is_of_whole_texture(o) && !is_of_polychord(o))
+    return impossible("the operator works in one chart");
+  return {};
+}
+
+Texture_edit operator_at(const Edit_texture& edit, const std::vector<Texture_place>& places) {
+  const double at = edit.fraction;
+  switch (edit.operation) {
+  case Texture_operator::subdivide: return Subdivide_texture{};
+  case Texture_operator::coarsen: return Coarsen_texture{};
+  case Texture_operator::insert_polychord: return Insert_polychord{places[0], at};
+  case Texture_operator::delete_polychord: return Delete_polychord{places[0], at};
+  case Texture_operator::inset_quads: return Inset_quads{places, at};
+  case Texture_operator::open_quad: return Open_quad{places[0], places[1], at};
+  case Texture_operator::close_quad: return Close_quad{places[0], at};
+  case Texture_operator::rotate_edge: return Rotate_edge{places[0], true};
+  case Texture_operator::rotate_edge_back: return Rotate_edge{places[0], false};
+  case Texture_operator::rotate_vertex: return Rotate_vertex{places[0]};
+  case Texture_operator::insert_doublet: return Insert_doublet{places[0]};
+  case Texture_operator::remove_doublet: return Remove_doublet{places[0]};
+  case Texture_operator::delete_quads: return Delete_quads{places};
+  case Texture_operator::restore_quads: return Restore_quads{places};
+  }
+  return Subdivide_texture{};
+}
+
+} // namespace
+
+Result<Texture_edit> texture_operator(const Edit_texture& edit, const std::vector<Texture_place>& places) {
+  CGAL_precondition(places.size() == edit.points.size());
+  if (Result<void> checked = check(edit); !checked) return checked.error();
+  return operator_at(edit, places);
 }
 
 namespace {
@@ -81,6 +145,13 @@ public:
     return {};
   }
 
+  // The final relaxation leaves a vertex where it has been put.
+  void anchor(int c, const Quad_corner& corner) {
+    const Quad_texture& t = m_changed[c]->texture;
+    const std::size_t v = std::size_t(t.quads[corner.quad][corner.corner]);
+    m_changed[c]->anchors.emplace_back(t.v[v], t.u[v]);
+  }
+
   // The vertex of a place, and where it lies.
   Result<Quad_corner> vertex(int c, const Texture_place& place) const {
     const Result<Quad_corner> found = find_vertex(texture(c).texture, place);
@@ -122,59 +193,6 @@ private:
   std::vector<std::unique_ptr<Placed_texture>> m_changed;
 };
 
-bool is_of_whole_texture(Texture_operator o) {
-  return o == Texture_operator::subdivide || o == Texture_operator::coarsen;
-}
-
-bool is_of_polychord(Texture_operator o) {
-  return o == Texture_operator::insert_polychord || o == Texture_operator::delete_polychord;
-}
-
-bool has_fraction(Texture_operator o) {
-  return is_of_polychord(o) || o == Texture_operator::inset_quads || o == Texture_operator::open_quad ||
-         o == Texture_operator::close_quad;
-}
-
-Result<void> check(const Edit_texture& edit) {
-  const Texture_operator o = edit.operation;
-  const std::size_t n = edit.points.size();
-  const auto impossible = [](const char* message) {
-    return make_error(Error_code::impossible_request, message);
-  };
-  if (o == Texture_operator::open_quad) {
-    if (n != 2) return impossible("two points are needed, one for each edge");
-  } else if (o == Texture_operator::inset_quads || o == Texture_operator::delete_quads ||
-             o == Texture_operator::restore_quads) {
-    if (n == 0) return impossible("a point is needed for each quad");
-  } else if (n != 1)
-    return impossible("exactly one point is needed");
-  if (edit.fraction != 0.5 && !has_fraction(o)) return impossible("the operator has no fraction");
-  if (edit.scope == Edit_scope::surface && !is_of_whole_texture(o) && !is_of_polychord(o))
-    return impossible("the operator works in one chart");
-  return {};
-}
-
-Texture_edit operator_at(const Edit_texture& edit, const std::vector<Texture_place>& places) {
-  const double at = edit.fraction;
-  switch (edit.operation) {
-  case Texture_operator::subdivide: return Subdivide_texture{};
-  case Texture_operator::coarsen: return Coarsen_texture{};
-  case Texture_operator::insert_polychord: return Insert_polychord{places[0], at};
-  case Texture_operator::delete_polychord: return Delete_polychord{places[0], at};
-  case Texture_operator::inset_quads: return Inset_quads{places, at};
-  case Texture_operator::open_quad: return Open_quad{places[0], places[1], at};
-  case Texture_operator::close_quad: return Close_quad{places[0], at};
-  case Texture_operator::rotate_edge: return Rotate_edge{places[0], true};
-  case Texture_operator::rotate_edge_back: return Rotate_edge{places[0], false};
-  case Texture_operator::rotate_vertex: return Rotate_vertex{places[0]};
-  case Texture_operator::insert_doublet: return Insert_doublet{places[0]};
-  case Texture_operator::remove_doublet: return Remove_doublet{places[0]};
-  case Texture_operator::delete_quads: return Delete_quads{places};
-  case Texture_operator::restore_quads: return Restore_quads{places};
-  }
-  return Subdivide_texture{};
-}
-
 // The polychord goes on across the contours; what is inserted or deleted in one chart leaves the places in others alone.
 Result<void> apply_through_charts(Texturing& textures, const Draft& draft, int c, const Texture_place& place,
                                   const Edit_texture& edit) {
@@ -200,7 +218,8 @@ Result<Design> with_texture(const Draft& draft, const Edit_texture& edit) {
   if (!chart) return chart.error();
   const Result<std::vector<Texture_place>> places = textures.places(*chart, edit.points);
   if (!places) return places.error();
-  const Texture_edit operation = operator_at(edit, *places);
+  const Result<Texture_edit> operation = texture_operator(edit, *places);
+  if (!operation) return operation.error();
   if (edit.scope == Edit_scope::surface && is_of_polychord(edit.operation)) {
     if (Result<void> done = apply_through_charts(textures, draft, *chart, places->front(), edit); !done)
       return done.error();
@@ -208,7 +227,7 @@ Result<Design> with_texture(const Draft& draft, const Edit_texture& edit) {
   }
   const bool all = edit.scope == Edit_scope::surface;
   for (int c = all ? 0 : *chart; c < (all ? textures.number_of_charts() : *chart + 1); ++c)
-    if (Result<void> done = textures.apply(c, operation); !done) return done.error();
+    if (Result<void> done = textures.apply(c, *operation); !done) return done.error();
   return textures.finish();
 }
 
@@ -248,7 +267,11 @@ Result<Design> with_texture(const Draft& draft, const Drag_vertices& edit) {
   if (texture.sides.size() == 2) way.x() = std::remainder(way.x(), 1.0);
   move.dv = way.x();
   move.du = way.y();
+  std::vector<Quad_corner> corners; // found before any of them moves
+  for (const Texture_place& place : *places)
+    if (const Result<Quad_corner> corner = textures.vertex(c, place)) corners.push_back(*corner);
   if (Result<void> done = textures.apply(c, move); !done) return done.error();
+  for (const Quad_corner& corner : corners) textures.anchor(c, corner);
   return textures.finish();
 }
 
@@ -379,6 +402,7 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit) {
     if (way().norm() > 1e-9)
       return refuse("a vertex cannot reach the sharp edge without inverting a quad", {}, Element_kind::chart,
                     chart.id);
+    textures.anchor(c, corner);
   }
   return textures.finish();
 }

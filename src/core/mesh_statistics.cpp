@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -129,6 +130,73 @@ std::optional<double> undersampled_area(const Quad_mesh& mesh, const Triangle_su
   return undersampled / all;
 }
 
+// The edges of the input whose two faces meet at more than an angle, as pairs of vertices.
+std::vector<std::pair<int, int>> sharp_edges(const Input_surface& input, double angle) {
+  struct Side {
+    std::pair<int, int> edge;
+    int triangle;
+    bool operator<(const Side& other) const {
+      return std::tie(edge, triangle) < std::tie(other.edge, other.triangle);
+    }
+  };
+  const std::vector<Point>& points = input.surface.points;
+  std::vector<Side> sides;
+  sides.reserve(3 * input.triangles.size());
+  for (int t = 0; t < int(input.triangles.size()); ++t)
+    for (int i = 0; i < 3; ++i)
+      sides.push_back({std::minmax({input.triangles[t][i], input.triangles[t][(i + 1) % 3]}), t});
+  std::sort(sides.begin(), sides.end());
+  const auto normal = [&](int t) {
+    const Triangle& v = input.triangles[t];
+    return Point((points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]).stableNormalized());
+  };
+  const double cosine = std::cos(angle * std::acos(-1.0) / 180);
+  std::vector<std::pair<int, int>> sharp;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i].edge == sides[i + 1].edge && (i == 0 || sides[i - 1].edge != sides[i].edge) &&
+        (i + 2 == sides.size() || sides[i + 2].edge != sides[i].edge) &&
+        normal(sides[i].triangle).dot(normal(sides[i + 1].triangle)) < cosine)
+      sharp.push_back(sides[i].edge);
+  return sharp;
+}
+
+// Whether an edge of a quad runs along a point of a sharp edge with this direction.
+bool runs_along(const Quad_corners& quad, const Point& at, const Point& direction) {
+  const double cosine = std::cos(std::acos(-1.0) / 9);
+  for (int i = 0; i < 4; ++i) {
+    const Point edge = quad[(i + 1) % 4] - quad[i];
+    const double length = edge.norm();
+    if (!(length > 0) || std::abs(edge.dot(direction)) < cosine * length) continue;
+    const double t = std::min(1.0, std::max(0.0, edge.dot(at - quad[i]) / (length * length)));
+    if ((quad[i] + t * edge - at).norm() <= 0.05 * length) return true;
+  }
+  return false;
+}
+
+std::optional<double> covered_sharp_edges(const Quad_mesh& mesh, const Triangle_surface& surface,
+                                          double mean_edge, double angle) {
+  const Split_quads split = split_quads(mesh, std::vector<char>(mesh.quads.size(), 1));
+  const Triangle_tree tree(mesh.points, split.triangles);
+  if (tree.empty()) return std::nullopt;
+  double all = 0, covered = 0;
+  int last = -1;
+  for (const auto& [v, w] : sharp_edges(read_input(surface), angle)) {
+    const Point p = surface.points[v], way = surface.points[w] - p;
+    const double length = way.norm();
+    if (!(length > 0)) continue;
+    // Pieces of at most a quarter of a quad's edge.
+    const int pieces = int(std::min(1000.0, 1 + std::floor(4 * length / mean_edge)));
+    for (int i = 0; i < pieces; ++i) {
+      const Point at = p + (i + 0.5) / pieces * way;
+      last = tree.nearest(at, last).triangle;
+      all += length / pieces;
+      if (runs_along(corners(mesh, split.quad[last]), at, way / length)) covered += length / pieces;
+    }
+  }
+  if (!(all > 0)) return std::nullopt;
+  return covered / all;
+}
+
 } // namespace
 
 Mesh_statistics quad_statistics(const Quad_mesh& mesh, const Triangle_surface* input,
@@ -141,8 +209,11 @@ Mesh_statistics quad_statistics(const Quad_mesh& mesh, const Triangle_surface* i
   measure_angles(sound, result);
   measure_quads(sound, result);
   measure_edges(sound, result);
-  if (input)
+  if (input) {
     result.undersampled_area = undersampled_area(sound, *input, result.quad_area.mean, options.input_samples);
+    result.covered_sharp_edges =
+        covered_sharp_edges(sound, *input, result.edge_length.mean, options.feature_angle);
+  }
   return result;
 }
 

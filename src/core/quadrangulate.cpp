@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace CGAL {
@@ -416,19 +417,60 @@ private:
     return {};
   }
 
-  // The number of quads before some are subdivided: each step doubles it.
-  int base_quads() const { return std::max(1, m_options.quads / m_options.adaptive.ratio); }
+  // The number of quads before some are subdivided. The coarser, the more can be; but quads that are too coarse fit the surface badly.
+  int base_quads() const {
+    return std::max(1, int(m_options.quads / std::sqrt(double(m_options.adaptive.ratio))));
+  }
 
+  // Where quads would be inverted, other lines between fine and coarse quads are tried, then a lower ratio.
   Result<void> relax() {
     if (m_options.relax)
       if (Result<void> finished = finish(); !finished) return finished;
     if (m_options.adaptive.ratio == 1) return {};
-    if (Result<void> adapted = adapt(); !adapted) return adapted;
-    return m_options.relax ? finish() : Result<void>();
+    const Quads base = quads();
+    std::optional<Quads> best;
+    for (int ratio = m_options.adaptive.ratio; ratio > 1; ratio /= 2)
+      for (const double lines : {1.0, 0.25, 4.0}) {
+        take(base);
+        if (Result<void> adapted = adapt(ratio, lines); !adapted) return adapted;
+        if (!m_options.relax) return {};
+        if (Result<void> finished = finish(); !finished) return finished;
+        if (m_result.relaxation.inverted_after <= base.relaxation.inverted_after) return {};
+        if (!best || m_result.relaxation.inverted_after < best->relaxation.inverted_after) best = quads();
+      }
+    take(*best);
+    return {};
   }
 
-  Result<void> adapt() {
+  // What subdividing quads changes.
+  struct Quads {
+    Quad_mesh mesh;
+    std::map<int, int> valences;
+    std::vector<int> chart_of_quad;
+    Relax_report relaxation;
+    Snap_report features;
+    int subdivided, t_junctions;
+  };
+
+  Quads quads() const {
+    return {m_result.mesh,     m_result.valences,         m_result.chart_of_quad, m_result.relaxation,
+            m_result.features, m_result.subdivided_quads, m_result.t_junctions};
+  }
+
+  void take(const Quads& quads) {
+    m_result.mesh = quads.mesh;
+    m_result.valences = quads.valences;
+    m_result.chart_of_quad = quads.chart_of_quad;
+    m_result.relaxation = quads.relaxation;
+    m_result.features = quads.features;
+    m_result.subdivided_quads = quads.subdivided;
+    m_result.t_junctions = quads.t_junctions;
+  }
+
+  Result<void> adapt(int ratio, double lines) {
     Adaptive_options options = m_options.adaptive;
+    options.ratio = ratio;
+    options.lines.turn_cost *= lines;
     if (options.quads == 0 && m_options.edge_length <= 0) options.quads = m_options.quads;
     Result<Adapted_quads> adapted = adapt_quads(m_result.mesh, Surface_projector(m_input), options);
     if (!adapted) return adapted.error();
@@ -490,40 +532,75 @@ private:
 
 } // namespace
 
+namespace {
+
+class Finisher {
+public:
+  Finisher(const Triangle_surface& input, const Relax_options& relaxation, Observer* observer,
+           const std::vector<int>& held)
+      : m_projector(input), m_relaxation(relaxation), m_observer(observer), m_held(held) {}
+
+  Result<Finished_quads> run(Quad_mesh mesh, const Snap_options& features) const {
+    Finished_quads result;
+    result.mesh = std::move(mesh);
+    std::vector<char> designed = held(result.mesh); // and what the design has put onto features already
+    if (features.feature_angle > 0) {
+      Snap_options near = features;
+      near.reach = std::min(features.reach, 0.01);
+      snap_to_features(result.mesh, m_projector, near, designed);
+    }
+    if (Result<void> relaxed = relax(result, designed); !relaxed) return relaxed.error();
+    if (features.feature_angle <= 0) return result;
+    std::vector<char> fixed = held(result.mesh);
+    result.features = snap_to_features(result.mesh, m_projector, features, fixed);
+    if (result.features.corners + result.features.vertices == 0) return result;
+    const Relax_report before = result.relaxation;
+    if (Result<void> relaxed = relax(result, fixed); !relaxed) return relaxed.error();
+    result.relaxation.worst_before = before.worst_before;
+    result.relaxation.mean_before = before.mean_before;
+    result.relaxation.inverted_before = before.inverted_before;
+    return result;
+  }
+
+private:
+  std::vector<char> held(const Quad_mesh& mesh) const {
+    std::vector<char> fixed(mesh.points.size(), 0);
+    for (int v : m_held) fixed[std::size_t(v)] = 1;
+    return fixed;
+  }
+
+  Result<void> relax(Finished_quads& quads, const std::vector<char>& fixed) const {
+    Result<Relax_report> report =
+        relax_quads(quads.mesh, m_projector.surface(), m_projector, fixed, m_relaxation, m_observer);
+    if (!report) return report.error();
+    quads.relaxation = *report;
+    return {};
+  }
+
+  Surface_projector m_projector;
+  const Relax_options& m_relaxation;
+  Observer* m_observer;
+  const std::vector<int>& m_held;
+};
+
+bool is_worse(const Relax_report& a, const Relax_report& b) {
+  return a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after ||
+         (a.worst_after < b.worst_after && a.worst_after < 0.2);
+}
+
+} // namespace
+
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation, const Snap_options& features,
                                     Observer* observer, const std::vector<int>& held) {
-  Finished_quads result;
-  result.mesh = std::move(mesh);
-  const Surface_projector projector(input);
-  const auto hold = [&](std::vector<char>& fixed) {
-    fixed.resize(result.mesh.points.size(), 0);
-    for (int v : held) fixed[std::size_t(v)] = 1;
-  };
-  std::vector<char> designed; // vertices that the design has put onto features already: they stay there
-  if (features.feature_angle > 0) {
-    Snap_options near = features;
-    near.reach = std::min(features.reach, 0.01);
-    snap_to_features(result.mesh, input, near, designed);
-  }
-  hold(designed);
-  Result<Relax_report> report = relax_quads(result.mesh, input, projector, designed, relaxation, observer);
-  if (!report) return report.error();
-  if (features.feature_angle > 0) {
-    std::vector<char> fixed;
-    result.features = snap_to_features(result.mesh, input, features, fixed);
-    hold(fixed);
-    if (result.features.corners + result.features.vertices > 0) {
-      const Relax_report before = *report;
-      report = relax_quads(result.mesh, input, projector, fixed, relaxation, observer);
-      if (!report) return report.error();
-      report->worst_before = before.worst_before;
-      report->mean_before = before.mean_before;
-      report->inverted_before = before.inverted_before;
-    }
-  }
-  result.relaxation = *report;
-  return result;
+  const Finisher finisher(input, relaxation, observer, held);
+  if (features.feature_angle <= 0 || !features.lines) return finisher.run(std::move(mesh), features);
+  Result<Finished_quads> lines = finisher.run(mesh, features);
+  if (!lines || lines->features.on_lines == 0) return lines;
+  Snap_options single = features;
+  single.lines = false;
+  Result<Finished_quads> other = finisher.run(std::move(mesh), single);
+  return !other || is_worse(lines->relaxation, other->relaxation) ? std::move(other) : std::move(lines);
 }
 
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Quadrangulation_options& options,

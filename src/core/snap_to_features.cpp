@@ -5,6 +5,8 @@
 #include <CGAL/Reeb_quadrangulation/internal/compatibility.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
+#include "feature_lines.h"
+
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -34,11 +36,12 @@ struct Wish {
 
 class Snapper {
 public:
-  Snapper(Quad_mesh& mesh, const Triangle_surface& input, const Snap_options& options,
+  Snapper(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,
           std::vector<char>& fixed)
-      : m_mesh(mesh), m_input(input), m_options(options), m_fixed(fixed), m_quads_of(mesh.points.size()),
-        m_shortest(mesh.points.size(), 1e300), m_on_boundary(mesh.points.size(), 0) {
-    m_fixed.assign(mesh.points.size(), 0);
+      : m_mesh(mesh), m_projector(projector), m_input(projector.surface()), m_options(options),
+        m_fixed(fixed), m_quads_of(mesh.points.size()), m_shortest(mesh.points.size(), 1e300),
+        m_on_boundary(mesh.points.size(), 0) {
+    m_fixed.resize(mesh.points.size(), 0);
     for (int q = 0; q < int(mesh.quads.size()); ++q)
       for (int i = 0; i < 4; ++i) {
         const int a = mesh.quads[q][i], b = mesh.quads[q][(i + 1) % 4];
@@ -86,11 +89,17 @@ private:
       for (int h : chain.halfedges)
         length += (m_input.points[m_input.target(h)] - m_input.points[m_input.source(h)]).norm();
       if (length < m_options.shortest_chain * m_mean_edge) continue;
+      internal::Feature_curve curve{{m_input.points[m_input.source(chain.halfedges[0])]}, {0}, chain.closed};
       for (int h : chain.halfedges) {
-        const Point &p = m_input.points[m_input.source(h)], &q = m_input.points[m_input.target(h)];
-        if (p != q) m_segments.emplace_back(to_kernel(p), to_kernel(q));
+        const Point p = curve.points.back(), q = m_input.points[m_input.target(h)];
         on_kept[m_input.source(h)] = on_kept[m_input.target(h)] = 1;
+        if (p == q) continue;
+        m_segments.emplace_back(to_kernel(p), to_kernel(q));
+        m_places.push_back({int(m_curves.size()), int(curve.arc.size()) - 1});
+        curve.points.push_back(q);
+        curve.arc.push_back(curve.arc.back() + (q - p).norm());
       }
+      if (curve.points.size() > 1) m_curves.push_back(std::move(curve));
     }
     for (int v : features.corners)
       if (on_kept[v]) m_corners.push_back(m_input.points[v]);
@@ -160,6 +169,7 @@ private:
   void snap_edges() {
     const Segments& list = m_segments;
     Tree tree(list.begin(), list.end());
+    if (m_options.lines) lay_lines(tree);
     std::vector<Wish> wishes;
     for (int v = 0; v < int(m_mesh.points.size()); ++v) {
       if (m_fixed[v] || m_on_boundary[v] || m_quads_of[v].empty()) continue;
@@ -168,10 +178,25 @@ private:
       const double distance = (m_mesh.points[v] - target).norm() / m_shortest[v];
       if (distance <= m_options.reach) wishes.push_back({distance, v, target});
     }
-    m_report.vertices = grant(wishes);
+    m_report.vertices = m_report.on_lines + grant(wishes);
+  }
+
+  void lay_lines(const Tree& tree) {
+    std::vector<internal::Feature_seed> seeds;
+    for (int v = 0; v < int(m_mesh.points.size()); ++v) {
+      if (m_quads_of[v].empty()) continue;
+      const auto found = tree.closest_point_and_primitive(to_kernel(m_mesh.points[v]));
+      const auto [curve, segment] = m_places[std::size_t(found.second - m_segments.cbegin())];
+      const Point p(found.first.x(), found.first.y(), found.first.z());
+      const internal::Feature_curve& c = m_curves[curve];
+      seeds.push_back({v, curve, c.arc[segment] + (p - c.points[segment]).norm()});
+    }
+    m_report.on_lines =
+        internal::lay_lines_on_features(m_mesh, m_projector, m_curves, seeds, m_options, m_fixed);
   }
 
   Quad_mesh& m_mesh;
+  const Surface_projector& m_projector;
   const Triangle_surface& m_input;
   const Snap_options& m_options;
   std::vector<char>& m_fixed;
@@ -180,15 +205,17 @@ private:
   std::vector<char> m_on_boundary;
   double m_mean_edge = 0;
   Segments m_segments;
+  std::vector<std::pair<int, int>> m_places; ///< per segment: its curve, and which one of that it is
+  std::vector<internal::Feature_curve> m_curves;
   std::vector<Point> m_corners;
   Snap_report m_report;
 };
 
 } // namespace
 
-Snap_report snap_to_features(Quad_mesh& mesh, const Triangle_surface& input, const Snap_options& options,
+Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,
                              std::vector<char>& fixed) {
-  return Snapper(mesh, input, options, fixed).run();
+  return Snapper(mesh, projector, options, fixed).run();
 }
 
 } // namespace Reeb_quadrangulation

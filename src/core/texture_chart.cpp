@@ -84,6 +84,7 @@ Result<Placed_texture> edit_in_plane(const Placed_texture& placed, const Chart& 
   if (!edited) return edited.error();
   Placed_texture out;
   out.offset = placed.offset;
+  out.anchors = placed.anchors;
   for (std::size_t w = 0; w < chart.walks.size(); ++w) {
     const int n = number_of_samples(chart.walks[w], samples);
     bool plain = int(edited->side_steps[w].size()) == n;

@@ -19,6 +19,14 @@ int modulo(int a, int n) {
   return ((a % n) + n) % n;
 }
 
+std::vector<int> anchored_vertices(const Placed_texture& placed) {
+  std::vector<int> found;
+  for (const Eigen::Vector2d& p : placed.anchors)
+    for (std::size_t v = 0; v < placed.texture.v.size(); ++v)
+      if (placed.texture.v[v] == p.x() && placed.texture.u[v] == p.y()) found.push_back(int(v));
+  return found;
+}
+
 using internal::Meetings;
 using internal::Stop;
 
@@ -46,8 +54,10 @@ public:
     predict_valences();
     if (!m_hanging.empty())
       if (Result<void> resolved = resolve(options); !resolved) return resolved.error();
-    if (m_out.holes > 0)
+    if (m_out.holes > 0) {
       if (Result<void> left_out = leave_out_holes(); !left_out) return left_out.error();
+    } else
+      m_out.hole_vertices = m_anchors;
     for (std::size_t v = 0; v < m_valence.size(); ++v)
       if (m_valence[v] > 0 && !m_boundary[v]) ++m_out.valences[m_valence[v]];
     return std::move(m_out);
@@ -174,6 +184,7 @@ private:
       global[i] = int(m_out.mesh.points.size());
       m_out.mesh.points.push_back(position(chart, placed.location[i]));
     }
+    for (int v : anchored_vertices(placed)) m_anchors.push_back(global[std::size_t(v)]);
     m_valence.resize(m_out.mesh.points.size(), 0);
     std::vector<int> quads(global.size(), 0);
     for (std::size_t f = 0; f < placed.texture.quads.size(); ++f) {
@@ -282,6 +293,7 @@ private:
                   list->end());
       for (int& v : *list) v = number[v];
     }
+    for (int v : m_anchors) at_hole[v] = 1; // the boundary is marked already
     for (int v = 0; v < int(at_hole.size()); ++v)
       if (at_hole[v] && number[v] >= 0) m_out.hole_vertices.push_back(number[v]);
     m_out.mesh.quads = std::move(quads);
@@ -318,6 +330,7 @@ private:
   std::vector<int> m_valence;   ///< per vertex, predicted
   std::vector<char> m_boundary; ///< per vertex
   std::vector<char> m_hole;     ///< per quad
+  std::vector<int> m_anchors;
 };
 
 } // namespace

@@ -179,6 +179,19 @@ TEST_CASE("--feature-angle decides which edges are sharp") {
   CHECK(vertices_on_edges("120") == 0);
 }
 
+TEST_CASE("--feature-lines lets edges of quads run along more of the sharp edges") {
+  const Shape shape("l-shape", 3000);
+  const auto covered = [&](const std::vector<std::string>& arguments) {
+    REQUIRE(shape.run(arguments).code == 0);
+    CHECK(shape.report()["statistics"]["inverted_quads"] == 0);
+    return shape.report()["statistics"]["covered_sharp_edges"].get<double>();
+  };
+  const double single = covered({"--quads", "1500"});
+  CHECK(shape.report()["components"][0]["features"]["on_lines"] == 0);
+  CHECK(covered({"--quads", "1500", "--feature-lines"}) > single + 0.15);
+  CHECK(shape.report()["components"][0]["features"]["on_lines"].get<int>() > 20);
+}
+
 TEST_CASE("--persistence decides how many protrusions get an extremum") {
   const Shape hand("hand", 4000);
   REQUIRE(hand.run({"--persistence", "0.05"}).code == 0);

@@ -78,12 +78,51 @@ TEST_CASE("edits come from a file too, before those of the command line") {
   CHECK(soup->number_of_polygons() == 96);
 }
 
+TEST_CASE("edits are written as a recipe, which gives the same quads") {
+  const Files files;
+  const std::string recipe = files.folder.path("edits.json"), again = files.folder.path("again.json"),
+                    same = files.folder.path("same.obj");
+  const Outcome done =
+      files.texture({"-o", files.out, "--write-recipe", recipe, "--op", "subdivide_texture 0.5,0.5,1", "--op",
+                     "inset_quads 0.5,0.4,1 at=0.3", "--op", "move_vertices 0.5,0.5,1 0.52,0.5,1", "--op",
+                     "relax_vertices 0.5,0.5,1"});
+  INFO(done.err);
+  REQUIRE(done.code == 0);
+  const Outcome replayed = files.texture({"-o", same, "--recipe", recipe, "--write-recipe", again});
+  INFO(replayed.err);
+  REQUIRE(replayed.code == 0);
+  CHECK(contents(same) == contents(files.out));
+  CHECK(contents(again) == contents(recipe));
+}
+
+TEST_CASE("a recipe whose edits are not of one patch is refused with the edit's number") {
+  const Files files;
+  const std::string recipe = files.folder.path("edits.json");
+  const std::string first =
+      R"({"edit": "edit_texture", "operator": "subdivide", "points": [{"point": [0.5, 0.5, 1]}]})";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {R"({"edit": "suggest"})", "edit 2 (suggest): it is no edit of a texture"},
+      {R"({"edit": "edit_texture", "operator": "coarsen", "points": [{"point": [0, 0, 1]}], "scope": "surface"})",
+       "edit 2 (edit_texture): the scope"},
+      {R"({"edit": "relax_texture", "at": {"point": [0.5, 0.5, 1]}, "radius": 1})", "no radius"}};
+  for (const auto& [edit, sentence] : cases) {
+    std::ofstream(recipe)
+        << R"({"format": "reebquad recipe", "version": 1, "options": {"quads": 100}, "edits": [)" << first
+        << ", " << edit << "]}";
+    const Outcome outcome = files.texture({"-o", files.out, "--recipe", recipe});
+    INFO(outcome.err);
+    CHECK(outcome.code != 0);
+    CHECK(contains(outcome.err, sentence));
+  }
+  CHECK(!std::filesystem::exists(files.out));
+}
+
 TEST_CASE("what cannot be done is said, and nothing is written") {
   const Files files;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--op", "subdivide_texture 0,0,1"}, "-o FILE"},
       {{"-o", files.out, "--op", "frobnicate 0,0,1"}, "no operator"},
-      {{"-o", files.out, "--op", "open_quad 0,0,1"}, "2 points"},
+      {{"-o", files.out, "--op", "open_quad 0,0,1"}, "two points"},
       {{"-o", files.out, "--op", "inset_quads 0.5,0.5"}, "neither a point"},
       {{"-o", files.out, "--op", "inset_quads 0.5,0.5,1 0.5,0.5,0"}, "different patches"},
       {{"-o", files.out, "--op", "delete_polychord 0.5,0.3,1"}, "does not apply"},

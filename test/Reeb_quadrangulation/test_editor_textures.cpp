@@ -371,3 +371,110 @@ TEST_CASE("the members of texture edits go through JSON") {
   CHECK(to_json(edits[0]).find("\"operator\":\"rotate_edge_back\"") != std::string::npos);
   CHECK(!edit_from_json(R"({"edit": "edit_texture", "operator": "turn", "points": []})"));
 }
+
+namespace {
+
+// A torus of four charts without an extraordinary vertex: two arms between two rectangles.
+const Surface_point arm = at(0, 1.4, 0);
+
+Editor regular_torus() {
+  Editor editor = torus_session();
+  for (const double x : {-0.6, 0.6}) applied(editor, Split_saddle{at(x, 0, 0), Saddle_kind::half, {}, 0});
+  for (const double x : {-1.4, 1.4}) applied(editor, Pin_corners{at(x, 0, 0)});
+  REQUIRE(valences(editor) == std::map<int, int>{});
+  return editor;
+}
+
+// An edge from column to column: its polychord runs from row to row.
+Surface_point edge_across(const Editor& editor, const Surface_point& at) {
+  const int q = quad_near(editor, at);
+  const Quad_texture& texture = texture_at(editor, at);
+  const Quad& quad = texture.quads[std::size_t(q)];
+  return edge_point(editor, at, q, std::abs(texture.u[quad[0]] - texture.u[quad[1]]) < 0.01 ? 0 : 1);
+}
+
+} // namespace
+
+TEST_CASE(
+    "a polychord that winds round a twisted torus is inserted and deleted, or refused with the reason") {
+  std::vector<std::size_t> added;
+  int deleted = 0;
+  for (const int shift : {0, 1, 2, 3}) {
+    INFO("shift " << shift);
+    Editor editor = regular_torus();
+    if (shift > 0) applied(editor, Set_shift{arm, shift});
+    const Bytes before = bytes_of(editor);
+    const Surface_point edge = edge_across(editor, arm);
+    const auto quads = [&] {
+      const Stitched_mesh now = editor.quads();
+      CHECK(stages::faults(now.mesh, editor.working_surface(), now.valences, now.components) == "");
+      CHECK(now.t_junctions == 0);
+      CHECK(valences(editor) == std::map<int, int>{});
+      return now.mesh.quads.size();
+    };
+    REQUIRE(editor.apply(operation(Operator::insert_polychord, {edge}, 0.5, Edit_scope::surface)));
+    added.push_back(quads() - before.quads.size());
+    editor.undo();
+    CHECK(bytes_of(editor) == before);
+    const Result<Edit_report> done =
+        editor.apply(operation(Operator::delete_polychord, {edge}, 0.5, Edit_scope::surface));
+    if (done) {
+      ++deleted;
+      CHECK(quads() < before.quads.size());
+      editor.undo();
+    } else
+      CHECK((done.error().message == "the edit would invert a quad in the plane" ||
+             done.error().message == "the edit would join two vertices by two edges"));
+    CHECK(bytes_of(editor) == before);
+  }
+  CHECK(deleted >= 2);
+  // Turned by a column, the arm sends the polychord round several times before it closes.
+  CHECK(added[1] > added[0]);
+}
+
+TEST_CASE("the final relaxation leaves dragged vertices where the user has put them") {
+  Editor editor = sphere_session();
+  const int q = quad_near(editor, equator);
+  const Surface_point vertex = vertex_point(editor, equator, q, 0);
+  const Point to = (0.6 * vertex.point + 0.4 * quad_point(editor, equator, q).point).normalized();
+  applied(editor, Drag_vertices{{vertex}, {to, -1}, 0, Falloff::smooth, 2, 0, {}});
+  const Stitched_mesh quads = editor.quads();
+  REQUIRE(quads.hole_vertices.size() == 1);
+  const std::size_t v = std::size_t(quads.hole_vertices[0]);
+  CHECK((quads.mesh.points[v] - to).norm() < 0.02);
+  CHECK(editor.finished_quads()->mesh.points[v] == quads.mesh.points[v]);
+  // Its number changes, its place does not.
+  applied(editor, operation(Operator::subdivide, {equator}));
+  REQUIRE(editor.quads().hole_vertices.size() == 1);
+  CHECK(editor.quads().mesh.points[std::size_t(editor.quads().hole_vertices[0])] == quads.mesh.points[v]);
+  applied(editor, Reset_texture{equator, Edit_scope::chart});
+  CHECK(editor.quads().hole_vertices.empty());
+}
+
+TEST_CASE("a vertex dragged onto a sharp edge, and one dragged off it, stay there") {
+  Editor editor = session(shape("l-shape", 3000), extrema({1, 0.5, 0.1}, {{0.1, 0.5, 1}}), 200);
+  int on = 0, off = 0;
+  for (const auto& chart : std::vector<std::shared_ptr<const Design_chart>>(editor.design().charts))
+    for (int f = 0; f < int(chart->texture.texture.quads.size()) && (on < 3 || off < 3); f += 5) {
+      const Surface_point p = surface_point(*chart, vertex_place(chart->texture.texture, {f, 2}));
+      const bool snaps = bool(editor.apply(Snap_vertices{{p}, 45}));
+      if (!snaps) continue;
+      Stitched_mesh quads = editor.quads();
+      REQUIRE(quads.hole_vertices.size() == 1);
+      const std::size_t v = std::size_t(quads.hole_vertices[0]);
+      const Point sharp = quads.mesh.points[v];
+      CHECK(editor.finished_quads()->mesh.points[v] == sharp);
+      ++on;
+      // A little towards where it came from: near enough to be snapped back, were it not held.
+      if (editor.apply(Drag_vertices{{{sharp, -1}}, {sharp + 0.2 * (p.point - sharp), -1}})) {
+        quads = editor.quads();
+        REQUIRE(quads.hole_vertices.size() == 1);
+        CHECK(editor.finished_quads()->mesh.points[v] == quads.mesh.points[v]);
+        off += quads.mesh.points[v] != sharp;
+        editor.undo();
+      }
+      editor.undo();
+    }
+  CHECK(on >= 3);
+  CHECK(off >= 1);
+}

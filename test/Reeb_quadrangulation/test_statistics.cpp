@@ -145,6 +145,28 @@ TEST_CASE("A limb under one great quad is undersampled") {
   CHECK(quad_statistics(tiny::quad_cube(), &input).undersampled_area.value() == 0);
 }
 
+TEST_CASE("The sharp edges of a cube are covered by quads whose edges are there, and by no others") {
+  const Quad_mesh cube = tiny::quad_cube();
+  Triangle_surface surface{cube.points, {}, {}, {}};
+  for (const Quad& q : cube.quads) {
+    surface.triangles.push_back({q[0], q[1], q[2]});
+    surface.triangles.push_back({q[0], q[2], q[3]});
+  }
+  CHECK(quad_statistics(cube, &surface).covered_sharp_edges.value() == Approx(1));
+  // One corner moves inwards: its three edges of twelve are off by more than a twentieth but for their far ends.
+  Quad_mesh dented = cube;
+  const Point centre = 0.5 * (cube.points[cube.quads[0][0]] + cube.points[cube.quads[0][2]]);
+  Point& corner = dented.points[cube.quads[0][0]];
+  corner += 0.3 * (centre - corner);
+  const double covered = quad_statistics(dented, &surface).covered_sharp_edges.value();
+  CHECK(covered > 0.7);
+  CHECK(covered < 0.9);
+  Statistics_options options;
+  options.feature_angle = 95; // those of a cube are not sharp
+  CHECK_FALSE(quad_statistics(cube, &surface, options).covered_sharp_edges);
+  CHECK_FALSE(quad_statistics(cube).covered_sharp_edges);
+}
+
 TEST_CASE("The JSON of the statistics can be read back; what is not finite is null") {
   // The second quad has no area: the area ratio is infinite.
   const Quad_mesh mesh{

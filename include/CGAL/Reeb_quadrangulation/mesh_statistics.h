@@ -57,6 +57,10 @@ struct Mesh_statistics {
   /// The fraction of the input's area whose nearest quad is larger than 10 mean quad areas: parts of the
   /// input that the quads hardly sample, typically a limb without an extremum. Absent without an input.
   std::optional<double> undersampled_area;
+
+  /// The fraction of the length of the input's sharp edges that edges of quads run along: no farther from them than a twentieth of
+  /// their own length, and turned by no more than 20 degrees. Absent without an input, or without a sharp edge.
+  std::optional<double> covered_sharp_edges;
 };
 
 /// What else to measure.
@@ -64,11 +68,12 @@ struct Statistics_options {
   /// The undersampled area is measured at the centres of every k-th triangle, with k such that at most about
   /// so many are taken of each component; 0: all.
   int input_samples = 20000;
+  double feature_angle = 45; ///< degrees between the normals of the faces of a sharp edge
 };
 
 /// Measures a quad mesh, and with `input` also how it samples that surface. Any arrays are accepted: what
 /// cannot be measured is skipped and counted. Shares no code with the stages that make quad meshes. O(m log
-/// m) for m quads, and O(n + k log m) for n input triangles and k samples.
+/// m) for m quads, and O(n log n + k log m) for n input triangles and k samples.
 Mesh_statistics quad_statistics(const Quad_mesh& mesh, const Triangle_surface* input = nullptr,
                                 const Statistics_options& options = {});
 

@@ -41,6 +41,8 @@ struct Placed_texture {
   /// Where each side's vertices lie, in sample steps: increasing, in [0, number of samples). Empty: entry i at i, until an edit
   /// adds vertices between samples or takes some away.
   std::array<std::vector<double>, 2> steps;
+  /// The (V, U) of vertices that the user has put where they are. The final relaxation leaves them there, as long as they are not moved.
+  std::vector<Eigen::Vector2d> anchors{};
 
   double step(int side, int entry) const { return steps[side].empty() ? entry : steps[side][entry]; }
 };
@@ -76,7 +78,8 @@ struct Stitched_mesh {
   std::vector<int> interpolated;  ///< the vertices that resolving T-junctions added, beside the surface
   int t_junctions = 0;            ///< vertices of one side of a contour edge that the other had not
   int holes = 0;                  ///< quads of the textures that were left out
-  std::vector<int> hole_vertices; ///< the vertices around them
+  std::vector<int>
+      hole_vertices; ///< the vertices around them, and anchors: relaxation is to leave them where they are
   /// If there are holes: the Euler characteristic and the number of boundary loops of each component of what is left.
   std::vector<std::pair<int, int>> components;
 };

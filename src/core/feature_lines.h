@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_SRC_FEATURE_LINES_H
+#define CGAL_REEB_QUADRANGULATION_SRC_FEATURE_LINES_H
+
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace internal {
+
+/// A chain of sharp edges as a curve by arc length.
+struct Feature_curve {
+  std::vector<Point> points;
+  std::vector<double> arc; ///< length up to each point, the first 0
+  bool closed = false;     ///< the last point is the first
+
+  double length() const { return arc.back(); }
+  /// The point at an arc length; closed curves go round, others end.
+  Point at(double t) const;
+  Point tangent(double t) const;
+  /// The arc length of the nearest point among those at `low` to `high`.
+  double nearest(const Point& p, double low, double high) const;
+};
+
+/// A vertex near a curve, nearest at an arc length.
+struct Feature_seed {
+  int vertex, curve;
+  double t;
+};
+
+/// Moves lines of edges onto the curves that they run along, and the vertices around them by less and less. A line takes a part of a
+/// curve along which it stays nearer than `options.line_reach` edges and goes straight through the quads, and has a vertex among `seeds`;
+/// the best ones are taken first. A line is taken only if no quad becomes worse than `options.worst_jacobian`, or than it was; else without its vertices at such
+/// quads. Vertices that are `fixed` stay; those of lines become so. Returns the number of these.
+int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
+                          const std::vector<Feature_curve>& curves, const std::vector<Feature_seed>& seeds,
+                          const Snap_options& options, std::vector<char>& fixed);
+
+} // namespace internal
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_SRC_FEATURE_LINES_H
