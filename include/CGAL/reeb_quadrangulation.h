@@ -21,6 +21,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/IO/read_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>

@@ -5,9 +5,9 @@
 #include "Input.h"
 #include "Interruption.h"
 
+#include <CGAL/Reeb_quadrangulation/IO/read_file.h>
+
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace reebquad {
 
@@ -15,13 +15,7 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-std::string read_text(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
-    throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
-  return text.str();
-}
+constexpr std::uint64_t largest_recipe = std::uint64_t(256) << 20;
 
 /// The component of that number, counted from 1; 0: the only one.
 Triangle_surface read_component(const std::string& file, int component) {
@@ -40,7 +34,7 @@ Triangle_surface read_component(const std::string& file, int component) {
 } // namespace
 
 Recipe read_recipe(const std::string& file) {
-  return value_or_fail(recipe_from_json(read_text(file)), file);
+  return value_or_fail(recipe_from_json(value_or_fail(read_file(file, largest_recipe), file)), file);
 }
 
 Editor replay_recipe(const std::string& input, const Recipe& recipe, const std::string& recipe_name,

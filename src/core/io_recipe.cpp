@@ -401,6 +401,10 @@ Result<Recipe> recipe_from_json(const std::string& text) {
   });
 }
 
+const char* name(Pole_kind kind) {
+  return Names<Pole_kind>::of[int(kind)];
+}
+
 Recipe recipe_of(const Editor& editor) {
   Recipe recipe;
   recipe.options = editor.options();

@@ -9,10 +9,22 @@ const { page } = studio;
 const print = (what, value) => console.log(`${what.padEnd(52)} ${value}`);
 const ms = (value) => `${Math.round(value)} ms`;
 
+/** When the socket took the last request, and when the state that follows came out of it: before the page looks. */
+const socket = { asked: 0, state: 0 };
+page.on("websocket", (line) => {
+  line.on("framesent", () => (socket.asked = performance.now()));
+  line.on("framereceived", ({ payload }) => {
+    if (typeof payload === "string" && payload.includes('"event":"state"')) socket.state = performance.now();
+  });
+});
+await page.reload();
+await page.waitForFunction(() => window.studio?.store.get("connected"));
+
 /**
  * Does something; the time from its last pointer event (or its call) until the page has taken what changed and handed the next picture
- * to the graphics processor, until that picture is shown, and what the program took for the edit. The best of some tries: other
- * work on the machine only adds.
+ * to the graphics processor, and until that picture is shown. Of it, what the program took for the edit, when all was through the
+ * socket, what the page took, and how much was sent; the rest is the wait for a picture that the software draws. The best of some
+ * tries: other work on the machine only adds.
  */
 async function timed(what, action) {
   tell(what, [await timeOf(action)]);
@@ -20,32 +32,52 @@ async function timed(what, action) {
 
 function tell(what, all) {
   const best = (of) => ms(Math.min(...all.map(of)));
-  print(what, `edit ${best((t) => t.edit)}, page ready ${best((t) => t.ready)}, shown ${best((t) => t.shown)} (software GL)`);
+  const { bytes } = all[0];
+  print(what, `edit ${best((t) => t.edit)}, through the socket ${best((t) => t.socket)} (${Math.round(bytes / 1000)} kB), page ${best((t) => t.page)}; with the software GL ready ${best((t) => t.ready)}, shown ${best((t) => t.shown)}`);
 }
 
 async function timeOf(action) {
   await page.evaluate(() => {
-    const { store, viewport, stage } = window.studio, before = store.get("state").revision;
+    const { store, viewport, stage, connection } = window.studio, before = store.get("state").revision;
     window.begun = performance.now();
     window.addEventListener("pointerup", () => (window.begun = performance.now()), { capture: true, once: true });
     window.arrived = new Promise((resolve) => {
-      let done = false;
-      store.watch(["state"], () => {
-        if (done || store.get("state").revision === before) return;
-        done = true;
-        const edit = store.get("state").last.milliseconds;
+      const take = Object.getPrototypeOf(connection).take;
+      let bytes = 0, inPage = 0;
+      connection.take = function (data) {
+        const start = performance.now();
+        if (data instanceof ArrayBuffer) bytes += data.byteLength;
+        take.call(this, data);
+        inPage += performance.now() - start;
+        if (store.get("state").revision === before) return;
+        delete connection.take;
+        const edit = store.get("state").last.milliseconds, drawing = performance.now();
         stage.surface.update();
         viewport.renderer.render(viewport.scene, viewport.camera);
-        const ready = performance.now() - window.begun;
+        const ready = performance.now();
         viewport.renderer.getContext().finish();
-        resolve({ edit, ready, shown: performance.now() - window.begun });
-      });
+        resolve({ edit, bytes, page: inPage + ready - drawing, ready: ready - window.begun, shown: performance.now() - window.begun });
+      };
     });
   });
   await action();
-  const times = await page.evaluate(() => window.arrived);
+  const times = { ...(await page.evaluate(() => window.arrived)), socket: socket.state - socket.asked };
   await page.waitForFunction(() => window.studio.store.get("state").finished !== false && !window.studio.store.get("busy"), null, { timeout: 120000 });
   return times;
+}
+
+/** Presses at a place, moves for two seconds and lets go: how often the picture follows, and the end of it. */
+async function dragged(what, { x, y }, dx, dy) {
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const first = (await studio.state()).revision, start = Date.now();
+  for (let i = 1; i <= 40; ++i) {
+    await page.mouse.move(x + dx * i, y + dy * i);
+    await page.waitForTimeout(50);
+  }
+  const steps = (await studio.state()).revision - first;
+  print(`dragging ${what}`, `${(steps / (Date.now() - start) * 1000).toFixed(1)} updates a second`);
+  await timed(`end of dragging ${what}`, () => page.mouse.up());
 }
 
 /** Pictures a second while the camera turns. */
@@ -95,18 +127,22 @@ const onContour = await page.evaluate(({ x, y }) => {
   return null;
 }, { x, y });
 if (onContour) {
-  await page.mouse.move(onContour.x, onContour.y);
-  await page.mouse.down();
-  const first = (await studio.state()).revision;
-  begin = Date.now();
-  for (let i = 1; i <= 40; ++i) {
-    await page.mouse.move(onContour.x + i / 2, onContour.y + i);
-    await page.waitForTimeout(50);
-  }
-  const steps = (await studio.state()).revision - first;
-  print("dragging a contour", `${(steps / (Date.now() - begin) * 1000).toFixed(1)} updates a second`);
-  await timed("end of the drag", () => page.mouse.up());
+  await dragged("a contour", onContour, 0.5, 1);
+  await studio.tool("plane");
+  const regular = await page.evaluate(() => {
+    const { stage } = window.studio, c = stage.contours.filter((c) => c.kind === "regular").sort((a, b) => b.points.length - a.points.length)[0];
+    return c.points[c.points.length >> 1].toArray();
+  });
+  await studio.clickOn(regular);
+  await page.waitForSelector("#apply-plane:not([disabled])", { timeout: 60000 });
+  await page.evaluate(() => window.studio.tools.current.turn(0.03));
+  await page.waitForFunction(() => !window.studio.store.get("busy"));
+  await timed("move contour", () => page.keyboard.press("Enter"));
 }
+await studio.tool("extremum");
+const tip = await page.evaluate(() => window.studio.stage.critical.find((c) => c.kind === 2).position.toArray());
+await studio.face(tip);
+await dragged("an extremum", await studio.screen(tip), 0.4, 0.4);
 
 await page.evaluate(() => (window.asked = window.studio.connection.request("edit", { edit: { edit: "suggest", persistence: 0.05, axis: [0, 0, 1] } }).catch(() => 0)));
 await page.waitForTimeout(300);

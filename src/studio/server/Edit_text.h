@@ -2,7 +2,7 @@
 #ifndef REEBQUAD_STUDIO_EDIT_TEXT_H
 #define REEBQUAD_STUDIO_EDIT_TEXT_H
 
-#include "Frame.h"
+#include "Json.h"
 
 namespace reebquad {
 namespace studio {

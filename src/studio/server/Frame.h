@@ -2,8 +2,9 @@
 #ifndef REEBQUAD_STUDIO_FRAME_H
 #define REEBQUAD_STUDIO_FRAME_H
 
+#include "Json.h"
+
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdint>
@@ -13,8 +14,6 @@
 
 namespace reebquad {
 namespace studio {
-
-using Json = nlohmann::json;
 
 /// The version of the protocol that this program speaks; see src/studio/protocol.md.
 constexpr int protocol_version = 2;

@@ -2,7 +2,7 @@
 #ifndef REEBQUAD_STUDIO_REQUEST_H
 #define REEBQUAD_STUDIO_REQUEST_H
 
-#include "Frame.h"
+#include "Json.h"
 
 #include <CGAL/Reeb_quadrangulation/Result.h>
 

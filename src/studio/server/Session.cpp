@@ -79,7 +79,7 @@ Result<void> Session::open_file(const std::string& name, Observer& observer) {
   observer.progress("reading", 0);
   Result<std::string> path = m_folder.resolve(name);
   if (!path) return path.error();
-  Result<std::string> bytes = read_file(*path, largest_mesh);
+  Result<std::string> bytes = read_regular_file(*path, largest_mesh);
   if (!bytes) return make_error(bytes.error().code, name + ": " + bytes.error().message);
   Saved_session origin;
   origin.name = origin.file = name;

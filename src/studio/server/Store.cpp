@@ -2,8 +2,7 @@
 #include "Store.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
-
-#include <fstream>
+#include <CGAL/Reeb_quadrangulation/IO/read_file.h>
 
 namespace reebquad {
 namespace studio {
@@ -48,19 +47,11 @@ std::string digest(const std::string& bytes) {
   return text;
 }
 
-Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
+Result<std::string> read_regular_file(const std::string& path, std::uint64_t limit) {
   std::error_code failed;
-  const bool regular = fs::is_regular_file(path, failed);
-  const std::uint64_t size = regular ? fs::file_size(path, failed) : 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (failed || !regular || !stream)
+  if (!fs::is_regular_file(path, failed))
     return make_error(Error_code::unreadable_file, "the file cannot be read");
-  if (size > limit) return make_error(Error_code::unreadable_file, "the file is too large");
-  std::string bytes(std::size_t(size), '\0');
-  stream.read(bytes.data(), std::streamsize(size));
-  if (std::uint64_t(stream.gcount()) != size)
-    return make_error(Error_code::unreadable_file, "the file cannot be read whole");
-  return bytes;
+  return CGAL::Reeb_quadrangulation::read_file(path, limit);
 }
 
 Store::Store(const Folder& folder) : m_user_folder(folder), m_folder(folder.path() / ".reebquad") {}
@@ -111,7 +102,7 @@ Result<void> Store::save_upload(const Saved_session& session, const std::string&
 }
 
 std::optional<Saved_session> Store::load() const {
-  Result<std::string> text = read_file((m_folder / "session.json").string(), largest_session);
+  Result<std::string> text = read_regular_file((m_folder / "session.json").string(), largest_session);
   if (!text) return std::nullopt;
   const Json json = Json::parse(*text, nullptr, false);
   try {
@@ -144,7 +135,7 @@ Result<std::string> Store::load_mesh(const Saved_session& session) const {
     if (!resolved) return resolved;
     path = *resolved;
   }
-  Result<std::string> bytes = read_file(path, largest_mesh);
+  Result<std::string> bytes = read_regular_file(path, largest_mesh);
   if (!bytes)
     return make_error(Error_code::unreadable_file, session.name + ": the mesh of the last session is gone");
   if (bytes->size() != session.bytes || digest(*bytes) != session.digest)

@@ -3,9 +3,10 @@
 #define REEBQUAD_STUDIO_STORE_H
 
 #include "Folder.h"
-#include "Frame.h"
+#include "Json.h"
 
 #include <optional>
+#include <vector>
 
 namespace reebquad {
 namespace studio {
@@ -54,8 +55,8 @@ private:
 /// 16 hexadecimal digits that tell whether bytes are still the same (FNV-1a; it keeps out accidents, not malice).
 std::string digest(const std::string& bytes);
 
-/// The bytes of a regular file of at most `limit` bytes. Fails with `unreadable_file`.
-Result<std::string> read_file(const std::string& path, std::uint64_t limit);
+/// The bytes of a regular file of at most `limit` bytes: nothing that whoever reads might wait for. Fails with `unreadable_file`.
+Result<std::string> read_regular_file(const std::string& path, std::uint64_t limit);
 
 } // namespace studio
 } // namespace reebquad

@@ -22,15 +22,6 @@ Json json_of(const Edit_report& report) {
           {"changed_counts", report.changed_counts},   {"seconds", report.seconds}};
 }
 
-const char* name_of(Pole_kind kind) {
-  switch (kind) {
-  case Pole_kind::whole: return "whole";
-  case Pole_kind::half: return "half";
-  case Pole_kind::quarter: return "quarter";
-  }
-  return "";
-}
-
 Result<Edit> parse_edit(const Json& edit) {
   return edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
@@ -234,7 +225,7 @@ Json Workpiece::facts() const {
   for (const auto& chart : design.charts) charts.push_back(chart_json(*chart));
   for (const Design_extremum& e : design.extrema)
     extrema.push_back(
-        {{"vertex", e.vertex}, {"maximum", e.is_maximum}, {"value", e.value}, {"pole", name_of(e.pole)}});
+        {{"vertex", e.vertex}, {"maximum", e.is_maximum}, {"value", e.value}, {"pole", name(e.pole)}});
   return {{"charts", charts},
           {"extrema", extrema},
           {"target_quads", design.target_quads},

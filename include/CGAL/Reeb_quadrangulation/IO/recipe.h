@@ -32,6 +32,9 @@ Result<Recipe> recipe_from_json(const std::string& text);
 std::string to_json(const Edit& edit);
 Result<Edit> edit_from_json(const std::string& text);
 
+/// The name that recipes have for it.
+const char* name(Pole_kind kind);
+
 /// The recipe of a session up to its present state.
 Recipe recipe_of(const Editor& editor);
 
