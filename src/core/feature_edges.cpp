@@ -51,23 +51,36 @@ bool is_corner(const Triangle_surface& s, const std::vector<char>& feature, int 
   return -direction_from(s, codes[0]).dot(direction_from(s, codes[1])) < corner_cosine;
 }
 
+// The halfedges of boundary and sharp edges.
+std::vector<char> find_features(const Triangle_surface& s, double dihedral_angle) {
+  std::vector<char> feature(s.number_of_halfedges(), 0);
+  std::vector<Point> normal;
+  if (dihedral_angle > 0) {
+    normal.reserve(s.number_of_faces());
+    for (int f = 0; f < s.number_of_faces(); ++f) normal.push_back(area_normal(s, f));
+  }
+  const double cosine = std::cos(dihedral_angle * radians_per_degree);
+  for (int h = 0; h < s.number_of_halfedges(); ++h) {
+    const int o = s.opposite[h];
+    if (o < 0) feature[h] = 1;
+    if (o < h || dihedral_angle <= 0) continue;
+    const Point &m = normal[h / 3], &n = normal[o / 3];
+    feature[h] = feature[o] = m.dot(n) < cosine * std::sqrt(m.squaredNorm() * n.squaredNorm());
+  }
+  return feature;
+}
+
 } // namespace
 
 Feature_edges feature_edges(const Triangle_surface& s, double dihedral_angle, double corner_angle) {
   const int nh = s.number_of_halfedges();
-  std::vector<char> feature(nh, 0);
-  const double cosine = std::cos(dihedral_angle * radians_per_degree);
-  for (int h = 0; h < nh; ++h) {
-    const int o = s.opposite[h];
-    if (o < 0) feature[h] = 1;
-    if (o < h || dihedral_angle <= 0) continue;
-    const Point m = area_normal(s, h / 3), n = area_normal(s, o / 3);
-    feature[h] = feature[o] = m.dot(n) < cosine * std::sqrt(m.squaredNorm() * n.squaredNorm());
-  }
+  const std::vector<char> feature = find_features(s, dihedral_angle);
   Feature_edges result;
-  std::vector<char> corner(s.number_of_vertices(), 0), used(nh, 0);
+  std::vector<char> has_feature(s.number_of_vertices(), 0), corner(s.number_of_vertices(), 0), used(nh, 0);
+  for (int h = 0; h < nh; ++h)
+    if (feature[h]) has_feature[s.source(h)] = has_feature[s.target(h)] = 1;
   for (int v = 0; v < s.number_of_vertices(); ++v)
-    if (is_corner(s, feature, v, std::cos(corner_angle * radians_per_degree))) {
+    if (has_feature[v] && is_corner(s, feature, v, std::cos(corner_angle * radians_per_degree))) {
       corner[v] = 1;
       result.corners.push_back(v);
     }

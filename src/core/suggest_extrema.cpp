@@ -25,11 +25,6 @@ Result<void> check_request(const Triangle_surface& surface, const Suggestion_opt
   if (!options.axis.allFinite() || !(options.axis.cwiseAbs().maxCoeff() > 0))
     return refuse("the height axis must be a finite vector other than zero");
   if (surface.triangles.empty()) return make_error(Error_code::not_a_surface, "the surface has no face");
-  if (const int n = connected_components(surface).second; n != 1)
-    return make_error(Error_code::not_a_surface,
-                      "extrema are suggested for one component at a time; the surface has " +
-                          std::to_string(n),
-                      Element_kind::component, 1);
   return {};
 }
 
