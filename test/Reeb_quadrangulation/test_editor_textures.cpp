@@ -372,6 +372,14 @@ TEST_CASE("the members of texture edits go through JSON") {
   CHECK(!edit_from_json(R"({"edit": "edit_texture", "operator": "turn", "points": []})"));
 }
 
+TEST_CASE("a texture edit that would fold quads of two charts onto each other is refused") {
+  // At the end of a half-pole two quads of the cap meet; across its contour two others would have the same corners.
+  Editor editor = session(shape("sphere", 1200), extrema({0, 0, -1}, {{0, 0, 1}}), 32);
+  applied(editor, Split_pole{at(0, 0, -1), Pole_kind::half, {}});
+  refused(editor, operation(Operator::rotate_vertex, {at(0.04, 0.45, -0.89)}),
+          "quads of neighbouring charts would be folded onto each other");
+}
+
 namespace {
 
 // A torus of four charts without an extraordinary vertex: two arms between two rectangles.
