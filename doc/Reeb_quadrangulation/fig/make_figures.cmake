@@ -29,6 +29,23 @@ run(texture ${work}/hand_coarse.obj --on ${work}/hand.obj -o ${work}/hand_edited
 show(base patches quads)
 run(run ${work}/hand.obj -o ${work}/hand_adaptive.obj --quads 2500 --adaptive --pictures ${work}/adaptive --quiet)
 show(adaptive quads)
+# Sharp edges by single vertices and by whole lines; designs of the paper.
+foreach(shape l-shape twisted-bar bitorus)
+  run(shape ${shape} -o ${work}/${shape}.obj --triangles 7000)
+endforeach()
+run(run ${work}/l-shape.obj -o ${work}/single.obj --quads 1500 --pictures ${work}/sharp_single --quiet)
+run(run ${work}/l-shape.obj -o ${work}/lines.obj --quads 1500 --feature-lines --pictures ${work}/sharp_lines --quiet)
+show(sharp_single quads)
+show(sharp_lines quads)
+set(recipes ${CMAKE_CURRENT_LIST_DIR}/../../../test/Reeb_quadrangulation/recipes)
+foreach(design l-shape:l_shape_polycube twisted-bar:twisted_bar bitorus:bitorus_half)
+  string(REPLACE ":" ";" design ${design})
+  list(GET design 0 shape)
+  list(GET design 1 recipe)
+  run(replay ${work}/${shape}.obj ${recipes}/${recipe}.json -o ${work}/${recipe}.obj --feature-lines
+    --pictures ${work}/design_${recipe} --quiet)
+  show(design_${recipe} quads)
+endforeach()
 run(polygons ${work}/hand_quads.obj -o ${work}/hand_hex.obj --on ${work}/hand.obj --picture ${OUT}/hexagons.png)
 
 set(figure_dir ${CMAKE_CURRENT_LIST_DIR})
