@@ -212,12 +212,12 @@ Result<Refinement_step> refine(const Quad_mesh& mesh, std::vector<char> marked,
   return Refinement_step{std::move(marked), std::move(*refined)};
 }
 
-// Refines as many of the first quads as give a number of quads in the end, but for a hundredth of them.
+// Refines as many of the first quads as give a number of quads in the end, but for a few of them.
 Result<Refinement_step> refine_first(const Quad_mesh& mesh, const std::vector<int>& order,
                                      const Regions& regions, double quads, const T_junction_options& lines) {
   Result<Refinement_step> best = refine(mesh, std::vector<char>(mesh.quads.size(), 0), lines);
   std::size_t low = 0, high = order.size();
-  while (best && high - low > order.size() / 100) {
+  while (best && high - low > order.size() / 500) {
     const std::size_t middle = (low + high + 1) / 2;
     std::vector<char> marked(mesh.quads.size(), 0);
     for (std::size_t i = 0; i < middle; ++i) marked[std::size_t(order[i])] = 1;
