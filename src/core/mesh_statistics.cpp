@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <tuple>
+#include <numeric>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -132,31 +132,35 @@ std::optional<double> undersampled_area(const Quad_mesh& mesh, const Triangle_su
 
 // The edges of the input whose two faces meet at more than an angle, as pairs of vertices.
 std::vector<std::pair<int, int>> sharp_edges(const Input_surface& input, double angle) {
-  struct Side {
-    std::pair<int, int> edge;
-    int triangle;
-    bool operator<(const Side& other) const {
-      return std::tie(edge, triangle) < std::tie(other.edge, other.triangle);
-    }
-  };
   const std::vector<Point>& points = input.surface.points;
-  std::vector<Side> sides;
-  sides.reserve(3 * input.triangles.size());
-  for (int t = 0; t < int(input.triangles.size()); ++t)
-    for (int i = 0; i < 3; ++i)
-      sides.push_back({std::minmax({input.triangles[t][i], input.triangles[t][(i + 1) % 3]}), t});
-  std::sort(sides.begin(), sides.end());
+  const int n = int(input.triangles.size());
   const auto normal = [&](int t) {
     const Triangle& v = input.triangles[t];
     return Point((points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]).stableNormalized());
   };
+  // The sides of the triangles by their smaller vertex: the other vertex and the triangle.
+  std::vector<int> begin(points.size() + 1, 0);
+  std::vector<std::pair<int, int>> sides(3 * std::size_t(n));
+  const auto smaller = [&](int t, int i) {
+    return std::min(input.triangles[t][i], input.triangles[t][(i + 1) % 3]);
+  };
+  for (int t = 0; t < n; ++t)
+    for (int i = 0; i < 3; ++i) ++begin[smaller(t, i) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<int> end(begin.begin(), begin.end() - 1);
+  for (int t = 0; t < n; ++t)
+    for (int i = 0; i < 3; ++i)
+      sides[end[smaller(t, i)]++] = {std::max(input.triangles[t][i], input.triangles[t][(i + 1) % 3]), t};
   const double cosine = std::cos(angle * std::acos(-1.0) / 180);
   std::vector<std::pair<int, int>> sharp;
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-    if (sides[i].edge == sides[i + 1].edge && (i == 0 || sides[i - 1].edge != sides[i].edge) &&
-        (i + 2 == sides.size() || sides[i + 2].edge != sides[i].edge) &&
-        normal(sides[i].triangle).dot(normal(sides[i + 1].triangle)) < cosine)
-      sharp.push_back(sides[i].edge);
+  for (int v = 0; v < int(points.size()); ++v) {
+    std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1]);
+    for (int i = begin[v], j = i; i < begin[v + 1]; i = j) {
+      while (j < begin[v + 1] && sides[j].first == sides[i].first) ++j;
+      if (j == i + 2 && normal(sides[i].second).dot(normal(sides[i + 1].second)) < cosine)
+        sharp.push_back({v, sides[i].first});
+    }
+  }
   return sharp;
 }
 

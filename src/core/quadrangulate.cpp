@@ -530,29 +530,30 @@ private:
   std::vector<Placed_texture> m_textures;
 };
 
-} // namespace
-
-namespace {
-
 class Finisher {
 public:
-  Finisher(const Triangle_surface& input, const Relax_options& relaxation, Observer* observer,
-           const std::vector<int>& held)
-      : m_projector(input), m_relaxation(relaxation), m_observer(observer), m_held(held) {}
+  Finisher(const Triangle_surface& input, const Relax_options& relaxation, const Snap_options& snapping,
+           Observer* observer, const std::vector<int>& held)
+      : m_projector(input), m_relaxation(relaxation), m_snapping(snapping), m_observer(observer),
+        m_held(held) {
+    if (snapping.feature_angle > 0) m_features = feature_edges(input, snapping.feature_angle);
+  }
 
-  Result<Finished_quads> run(Quad_mesh mesh, const Snap_options& features) const {
+  Result<Finished_quads> run(Quad_mesh mesh, bool lines) const {
     Finished_quads result;
     result.mesh = std::move(mesh);
+    Snap_options snapping = m_snapping;
+    snapping.lines = lines;
     std::vector<char> designed = held(result.mesh); // and what the design has put onto features already
-    if (features.feature_angle > 0) {
-      Snap_options near = features;
-      near.reach = std::min(features.reach, 0.01);
-      snap_to_features(result.mesh, m_projector, near, designed);
+    if (m_features) {
+      Snap_options near = snapping;
+      near.reach = std::min(snapping.reach, 0.01);
+      snap_to_features(result.mesh, m_projector, *m_features, near, designed);
     }
     if (Result<void> relaxed = relax(result, designed); !relaxed) return relaxed.error();
-    if (features.feature_angle <= 0) return result;
+    if (!m_features) return result;
     std::vector<char> fixed = held(result.mesh);
-    result.features = snap_to_features(result.mesh, m_projector, features, fixed);
+    result.features = snap_to_features(result.mesh, m_projector, *m_features, snapping, fixed);
     if (result.features.corners + result.features.vertices == 0) return result;
     const Relax_report before = result.relaxation;
     if (Result<void> relaxed = relax(result, fixed); !relaxed) return relaxed.error();
@@ -579,6 +580,8 @@ private:
 
   Surface_projector m_projector;
   const Relax_options& m_relaxation;
+  const Snap_options& m_snapping;
+  std::optional<Feature_edges> m_features; // without an angle, none
   Observer* m_observer;
   const std::vector<int>& m_held;
 };
@@ -593,13 +596,11 @@ bool is_worse(const Relax_report& a, const Relax_report& b) {
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation, const Snap_options& features,
                                     Observer* observer, const std::vector<int>& held) {
-  const Finisher finisher(input, relaxation, observer, held);
-  if (features.feature_angle <= 0 || !features.lines) return finisher.run(std::move(mesh), features);
-  Result<Finished_quads> lines = finisher.run(mesh, features);
+  const Finisher finisher(input, relaxation, features, observer, held);
+  if (!features.lines) return finisher.run(std::move(mesh), false);
+  Result<Finished_quads> lines = finisher.run(mesh, true);
   if (!lines || lines->features.on_lines == 0) return lines;
-  Snap_options single = features;
-  single.lines = false;
-  Result<Finished_quads> other = finisher.run(std::move(mesh), single);
+  Result<Finished_quads> other = finisher.run(std::move(mesh), false);
   return !other || is_worse(lines->relaxation, other->relaxation) ? std::move(other) : std::move(lines);
 }
 

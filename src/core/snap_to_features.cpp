@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 
-#include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/internal/compatibility.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
@@ -54,8 +53,8 @@ public:
     mark_boundary();
   }
 
-  Snap_report run() {
-    collect_features();
+  Snap_report run(const Feature_edges& features) {
+    collect(features);
     if (!m_segments.empty()) {
       snap_corners();
       snap_edges();
@@ -80,8 +79,7 @@ private:
     }
   }
 
-  void collect_features() {
-    const Feature_edges features = feature_edges(m_input, m_options.feature_angle);
+  void collect(const Feature_edges& features) {
     std::vector<char> on_kept(m_input.number_of_vertices(), 0);
     for (const Feature_chain& chain : features.chains) {
       if (chain.boundary) continue;
@@ -215,7 +213,14 @@ private:
 
 Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,
                              std::vector<char>& fixed) {
-  return Snapper(mesh, projector, options, fixed).run();
+  return snap_to_features(mesh, projector, feature_edges(projector.surface(), options.feature_angle), options,
+                          fixed);
+}
+
+Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector,
+                             const Feature_edges& features, const Snap_options& options,
+                             std::vector<char>& fixed) {
+  return Snapper(mesh, projector, options, fixed).run(features);
 }
 
 } // namespace Reeb_quadrangulation

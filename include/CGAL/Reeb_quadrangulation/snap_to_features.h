@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+#include <CGAL/Reeb_quadrangulation/feature_edges.h>
 
 #include <vector>
 
@@ -35,8 +36,13 @@ struct Snap_report {
 /// if no quad becomes bad: first the nearest to corners; then, with `options.lines`, lines of edges that run along sharp edges, to which
 /// the quads around them give way; then single vertices, nearest first. `fixed` has one entry a vertex, or none: vertices
 /// that are nonzero stay, those that are moved become so; hand it to `relax_quads()`.
-/// O((V + S) log S) for S sharp edges. \pre `options.feature_angle > 0`; the projector's surface is connected by `connect()`.
+/// O((V + S) log S) for S sharp edges, and O(F) to find them. \pre `options.feature_angle > 0`; the projector's surface is connected by `connect()`.
 Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,
+                             std::vector<char>& fixed);
+
+/// The same with the sharp edges at hand, whatever `options.feature_angle` is.
+Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector,
+                             const Feature_edges& features, const Snap_options& options,
                              std::vector<char>& fixed);
 
 } // namespace Reeb_quadrangulation
