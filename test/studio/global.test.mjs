@@ -159,10 +159,12 @@ test("what is odd about a file is listed, and a click flies there", async () => 
   await studio.page.evaluate(() => document.querySelectorAll("details").forEach((d) => (d.open = true)));
   const before = await studio.page.evaluate(() => window.studio.viewport.controls.target.toArray());
   await studio.page.locator(".finding").first().click();
-  await studio.page.waitForTimeout(500);
-  const target = await studio.page.evaluate(() => window.studio.viewport.controls.target.toArray());
-  assert.ok(Math.hypot(...target.map((x, i) => x - before[i])) > 0.1);
-  assert.ok(Math.hypot(...target.map((x, i) => x - state.file.defects[0].where[i])) < 1e-3);
+  const where = state.file.defects[0].where;
+  assert.ok(Math.hypot(...where.map((x, i) => x - before[i])) > 0.1);
+  await studio.page.waitForFunction((there) => {
+    const target = window.studio.viewport.controls.target.toArray();
+    return Math.hypot(...target.map((x, i) => x - there[i])) < 1e-3;
+  }, where, { timeout: 20000 });
   await studio.picture("defect");
 });
 
