@@ -242,7 +242,7 @@ Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, co
   Stitched_mesh stitched = quads();
   if (stitched.mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
   Result<Finished_quads> finished =
-      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer, stitched.hole_vertices);
+      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer, stitched.held_vertices);
   if (!finished) return finished.error();
   stitched.mesh = std::move(finished->mesh);
   return stitched;

@@ -57,7 +57,7 @@ public:
     if (m_out.holes > 0) {
       if (Result<void> left_out = leave_out_holes(); !left_out) return left_out.error();
     } else
-      m_out.hole_vertices = m_anchors;
+      m_out.held_vertices = m_anchors;
     for (std::size_t v = 0; v < m_valence.size(); ++v)
       if (m_valence[v] > 0 && !m_boundary[v]) ++m_out.valences[m_valence[v]];
     return std::move(m_out);
@@ -295,7 +295,7 @@ private:
     }
     for (int v : m_anchors) at_hole[v] = 1; // the boundary is marked already
     for (int v = 0; v < int(at_hole.size()); ++v)
-      if (at_hole[v] && number[v] >= 0) m_out.hole_vertices.push_back(number[v]);
+      if (at_hole[v] && number[v] >= 0) m_out.held_vertices.push_back(number[v]);
     m_out.mesh.quads = std::move(quads);
     m_out.chart_of_quad = std::move(chart);
     m_out.components = internal::quad_components(m_out.mesh.quads, count);

@@ -288,14 +288,14 @@ TEST_CASE("deleted quads are holes, and come back") {
   const Surface_point quad = quad_point(editor, equator, q);
   applied(editor, operation(Operator::delete_quads, {quad}));
   CHECK(editor.quads().holes == 1);
-  CHECK(editor.quads().hole_vertices.size() == 4);
+  CHECK(editor.quads().held_vertices.size() == 4);
   CHECK(editor.quads().components == std::vector<std::pair<int, int>>{{1, 1}});
   const Result<Stitched_mesh> finished = editor.finished_quads();
   REQUIRE(bool(finished));
   CHECK(stages::faults(finished->mesh, editor.input(), finished->valences, finished->components) == "");
   CHECK(stages::faults(finished->mesh, editor.input(), finished->valences) !=
         ""); // a hole that nobody predicted
-  for (int v : finished->hole_vertices)
+  for (int v : finished->held_vertices)
     CHECK(has_vertex_at(editor.quads(), finished->mesh.points[std::size_t(v)]));
   CHECK(editor.quads().mesh.quads.size() == before.quads.size() - 1);
   applied(editor, operation(Operator::restore_quads, {quad}));
@@ -447,16 +447,16 @@ TEST_CASE("the final relaxation leaves dragged vertices where the user has put t
   const Point to = (0.6 * vertex.point + 0.4 * quad_point(editor, equator, q).point).normalized();
   applied(editor, Drag_vertices{{vertex}, {to, -1}, 0, Falloff::smooth, 2, 0, {}});
   const Stitched_mesh quads = editor.quads();
-  REQUIRE(quads.hole_vertices.size() == 1);
-  const std::size_t v = std::size_t(quads.hole_vertices[0]);
+  REQUIRE(quads.held_vertices.size() == 1);
+  const std::size_t v = std::size_t(quads.held_vertices[0]);
   CHECK((quads.mesh.points[v] - to).norm() < 0.02);
   CHECK(editor.finished_quads()->mesh.points[v] == quads.mesh.points[v]);
   // Its number changes, its place does not.
   applied(editor, operation(Operator::subdivide, {equator}));
-  REQUIRE(editor.quads().hole_vertices.size() == 1);
-  CHECK(editor.quads().mesh.points[std::size_t(editor.quads().hole_vertices[0])] == quads.mesh.points[v]);
+  REQUIRE(editor.quads().held_vertices.size() == 1);
+  CHECK(editor.quads().mesh.points[std::size_t(editor.quads().held_vertices[0])] == quads.mesh.points[v]);
   applied(editor, Reset_texture{equator, Edit_scope::chart});
-  CHECK(editor.quads().hole_vertices.empty());
+  CHECK(editor.quads().held_vertices.empty());
 }
 
 TEST_CASE("a vertex dragged onto a sharp edge, and one dragged off it, stay there") {
@@ -468,15 +468,15 @@ TEST_CASE("a vertex dragged onto a sharp edge, and one dragged off it, stay ther
       const bool snaps = bool(editor.apply(Snap_vertices{{p}, 45}));
       if (!snaps) continue;
       Stitched_mesh quads = editor.quads();
-      REQUIRE(quads.hole_vertices.size() == 1);
-      const std::size_t v = std::size_t(quads.hole_vertices[0]);
+      REQUIRE(quads.held_vertices.size() == 1);
+      const std::size_t v = std::size_t(quads.held_vertices[0]);
       const Point sharp = quads.mesh.points[v];
       CHECK(editor.finished_quads()->mesh.points[v] == sharp);
       ++on;
       // A little towards where it came from: near enough to be snapped back, were it not held.
       if (editor.apply(Drag_vertices{{{sharp, -1}}, {sharp + 0.2 * (p.point - sharp), -1}})) {
         quads = editor.quads();
-        REQUIRE(quads.hole_vertices.size() == 1);
+        REQUIRE(quads.held_vertices.size() == 1);
         CHECK(editor.finished_quads()->mesh.points[v] == quads.mesh.points[v]);
         off += quads.mesh.points[v] != sharp;
         editor.undo();

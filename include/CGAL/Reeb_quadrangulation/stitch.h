@@ -79,7 +79,7 @@ struct Stitched_mesh {
   int t_junctions = 0;            ///< vertices of one side of a contour edge that the other had not
   int holes = 0;                  ///< quads of the textures that were left out
   std::vector<int>
-      hole_vertices; ///< the vertices around them, and anchors: relaxation is to leave them where they are
+      held_vertices; ///< those around holes, and anchors: relaxation is to leave them where they are
   /// If there are holes: the Euler characteristic and the number of boundary loops of each component of what is left.
   std::vector<std::pair<int, int>> components;
 };
