@@ -113,18 +113,35 @@ void measure_edges(const Quad_mesh& mesh, Mesh_statistics& result) {
   result.edge_length = lengths.range();
 }
 
-std::optional<double> undersampled_area(const Quad_mesh& mesh, const Triangle_surface& surface,
-                                        double mean_area, int samples) {
-  const Split_quads split = split_quads(mesh, std::vector<char>(mesh.quads.size(), 1));
-  const Triangle_tree tree(mesh.points, split.triangles);
-  if (tree.empty()) return std::nullopt;
+// Which quad is nearest to a point; from one point to the next near it is quickest.
+class Nearest_quad {
+public:
+  explicit Nearest_quad(const Quad_mesh& mesh)
+      : m_mesh(mesh), m_split(split_quads(mesh, std::vector<char>(mesh.quads.size(), 1))),
+        m_tree(mesh.points, m_split.triangles) {}
+
+  Nearest_quad(const Nearest_quad&) = delete; // the tree refers to the split
+
+  bool empty() const { return m_tree.empty(); }
+  Quad_corners operator()(const Point& p) {
+    m_last = m_tree.nearest(p, m_last).triangle;
+    return corners(m_mesh, m_split.quad[m_last]);
+  }
+
+private:
+  const Quad_mesh& m_mesh;
+  Split_quads m_split;
+  Triangle_tree m_tree;
+  int m_last = -1;
+};
+
+std::optional<double> undersampled_area(Nearest_quad& nearest, const Input_surface& input, double mean_area,
+                                        int samples) {
   double all = 0, undersampled = 0;
-  int last = -1;
-  for (const Input_sample& sample : sample_triangles(read_input(surface), samples)) {
-    last = tree.nearest(sample.centre, last).triangle;
+  for (const Input_sample& sample : sample_triangles(input, samples)) {
     const double area = sample.vector_area.norm();
     all += area;
-    if (vector_area(corners(mesh, split.quad[last])).norm() > 10 * mean_area) undersampled += area;
+    if (vector_area(nearest(sample.centre)).norm() > 10 * mean_area) undersampled += area;
   }
   if (!(all > 0)) return std::nullopt;
   return undersampled / all;
@@ -177,24 +194,19 @@ bool runs_along(const Quad_corners& quad, const Point& at, const Point& directio
   return false;
 }
 
-std::optional<double> covered_sharp_edges(const Quad_mesh& mesh, const Triangle_surface& surface,
-                                          double mean_edge, double angle) {
-  const Split_quads split = split_quads(mesh, std::vector<char>(mesh.quads.size(), 1));
-  const Triangle_tree tree(mesh.points, split.triangles);
-  if (tree.empty()) return std::nullopt;
+std::optional<double> covered_sharp_edges(Nearest_quad& nearest, const Input_surface& input, double mean_edge,
+                                          double angle) {
   double all = 0, covered = 0;
-  int last = -1;
-  for (const auto& [v, w] : sharp_edges(read_input(surface), angle)) {
-    const Point p = surface.points[v], way = surface.points[w] - p;
+  for (const auto& [v, w] : sharp_edges(input, angle)) {
+    const Point p = input.surface.points[v], way = input.surface.points[w] - p;
     const double length = way.norm();
     if (!(length > 0)) continue;
     // Pieces of at most a quarter of a quad's edge.
     const int pieces = int(std::min(1000.0, 1 + std::floor(4 * length / mean_edge)));
     for (int i = 0; i < pieces; ++i) {
       const Point at = p + (i + 0.5) / pieces * way;
-      last = tree.nearest(at, last).triangle;
       all += length / pieces;
-      if (runs_along(corners(mesh, split.quad[last]), at, way / length)) covered += length / pieces;
+      if (runs_along(nearest(at), at, way / length)) covered += length / pieces;
     }
   }
   if (!(all > 0)) return std::nullopt;
@@ -213,11 +225,14 @@ Mesh_statistics quad_statistics(const Quad_mesh& mesh, const Triangle_surface* i
   measure_angles(sound, result);
   measure_quads(sound, result);
   measure_edges(sound, result);
-  if (input) {
-    result.undersampled_area = undersampled_area(sound, *input, result.quad_area.mean, options.input_samples);
-    result.covered_sharp_edges =
-        covered_sharp_edges(sound, *input, result.edge_length.mean, options.feature_angle);
-  }
+  if (!input) return result;
+  Nearest_quad nearest(sound);
+  if (nearest.empty()) return result;
+  const Input_surface surface = read_input(*input);
+  result.undersampled_area =
+      undersampled_area(nearest, surface, result.quad_area.mean, options.input_samples);
+  result.covered_sharp_edges =
+      covered_sharp_edges(nearest, surface, result.edge_length.mean, options.feature_angle);
   return result;
 }
 
