@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -131,14 +132,14 @@ public:
     return all;
   }
 
-  Result<void> apply(int c, const Texture_edit& edit) {
+  Result<void> apply(int c, const std::vector<Texture_edit>& edits) {
     if (chart(c).settings.locked)
       return refuse("the edit would change a locked chart", {}, Element_kind::chart, chart(c).id);
-    if (std::holds_alternative<Subdivide_texture>(edit) &&
+    if (std::holds_alternative<Subdivide_texture>(edits.front()) &&
         4.0 * double(texture(c).texture.quads.size()) > most_quads)
       return refuse("the texture would have too many quads", {}, Element_kind::chart, chart(c).id);
     Result<Placed_texture> edited =
-        edit_texture(texture(c), *chart(c).chart, *chart(c).map, m_draft.before().samples, edit);
+        edit_texture(texture(c), *chart(c).chart, *chart(c).map, m_draft.before().samples, edits);
     if (!edited) return in_chart(edited.error(), c);
     m_changed[c] = std::make_unique<Placed_texture>(std::move(*edited));
     m_textures[c] = m_changed[c].get();
@@ -201,11 +202,12 @@ Result<void> apply_through_charts(Texturing& textures, const Draft& draft, int c
       polychord_through_charts(draft.atlas(), draft.before().samples, textures.textures(),
                                {c, Insert_polychord{place, inserts ? edit.fraction : 0.5}});
   if (!all) return textures.in_chart(all.error(), c);
-  for (const Chart_polychord& part : *all) {
-    const Texture_edit step =
-        inserts ? Texture_edit(part.edit) : Delete_polychord{part.edit.edge, edit.fraction};
-    if (Result<void> done = textures.apply(part.chart, step); !done) return done;
-  }
+  std::map<int, std::vector<Texture_edit>> steps;
+  for (const Chart_polychord& part : *all)
+    steps[part.chart].push_back(inserts ? Texture_edit(part.edit)
+                                        : Delete_polychord{part.edit.edge, edit.fraction});
+  for (const auto& [chart, edits] : steps)
+    if (Result<void> done = textures.apply(chart, edits); !done) return done;
   return {};
 }
 
@@ -227,7 +229,7 @@ Result<Design> with_texture(const Draft& draft, const Edit_texture& edit) {
   }
   const bool all = edit.scope == Edit_scope::surface;
   for (int c = all ? 0 : *chart; c < (all ? textures.number_of_charts() : *chart + 1); ++c)
-    if (Result<void> done = textures.apply(c, *operation); !done) return done.error();
+    if (Result<void> done = textures.apply(c, {*operation}); !done) return done.error();
   return textures.finish();
 }
 
@@ -270,7 +272,7 @@ Result<Design> with_texture(const Draft& draft, const Drag_vertices& edit) {
   std::vector<Quad_corner> corners; // found before any of them moves
   for (const Texture_place& place : *places)
     if (const Result<Quad_corner> corner = textures.vertex(c, place)) corners.push_back(*corner);
-  if (Result<void> done = textures.apply(c, move); !done) return done.error();
+  if (Result<void> done = textures.apply(c, {move}); !done) return done.error();
   for (const Quad_corner& corner : corners) textures.anchor(c, corner);
   return textures.finish();
 }
@@ -315,7 +317,7 @@ Result<Design> with_texture(const Draft& draft, const Relax_texture& edit) {
     if (relax.vertices.empty()) return refuse("no vertex inside the chart's texture is within the radius");
   }
   for (int c = all ? 0 : *chart; c < (all ? textures.number_of_charts() : *chart + 1); ++c)
-    if (Result<void> done = textures.apply(c, relax); !done) return done.error();
+    if (Result<void> done = textures.apply(c, {relax}); !done) return done.error();
   return textures.finish();
 }
 
@@ -398,7 +400,7 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit) {
     move.vertices = {{0, 0, corner.quad, corner.corner}};
     move.dv = way().x();
     move.du = way().y();
-    if (Result<void> done = textures.apply(c, move); !done) return done.error();
+    if (Result<void> done = textures.apply(c, {move}); !done) return done.error();
     if (way().norm() > 1e-9)
       return refuse("a vertex cannot reach the sharp edge without inverting a quad", {}, Element_kind::chart,
                     chart.id);

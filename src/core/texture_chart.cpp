@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 
+#include "texture_operators.h"
+
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -103,8 +108,10 @@ Result<Placed_texture> edit_in_plane(const Placed_texture& placed, const Chart& 
 
 Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
                                     const Chart_parameterization& map, const Contour_samples& samples,
-                                    const Texture_edit& edit) {
-  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edit);
+                                    const std::vector<Texture_edit>& edits) {
+  CGAL_precondition(!edits.empty());
+  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edits.front());
+  for (std::size_t i = 1; i < edits.size() && out; ++i) out = edit_in_plane(*out, chart, samples, edits[i]);
   if (out) out->location = locate(chart, map, out->texture.v, out->texture.u);
   return out;
 }
@@ -190,45 +197,89 @@ private:
   std::vector<std::array<Pass, 2>> m_passes; ///< per contour edge: left and right
 };
 
-// The insertion that begins at a place of a side.
-Insert_polychord insertion(const Quad_texture& texture, const Side_place& p) {
-  const Quad_corner edge = side_edge(texture, p.walk, p.step);
-  const bool along = texture.quads[edge.quad][edge.corner] == texture.sides[p.walk][p.step];
-  return {edge_place(texture, edge), along ? p.fraction : 1 - p.fraction};
-}
+// The parts of a polychord, chart by chart.
+class Polychord_walk {
+public:
+  Polychord_walk(const Atlas& atlas, const Contour_samples& samples,
+                 const std::vector<const Placed_texture*>& textures)
+      : m_textures(textures), m_crossing(atlas, samples, textures), m_tracers(textures.size()),
+        m_added(textures.size(), 0) {}
+
+  Result<std::vector<Chart_polychord>> run(const Chart_polychord& start) {
+    m_parts = {start};
+    const auto first = tracer(start.chart).strip(start.edit);
+    if (!first) return first.error();
+    const std::vector<Polychord_end>& ends = first->ends;
+    if (ends.empty()) return m_parts;
+    m_added[start.chart] = first->quads;
+    const Side_place home{start.chart, ends[1].side, ends[1].step, 0};
+    // From the one end forward; if that meets the boundary, from the other end too.
+    for (const Polychord_end& end : ends) {
+      const Result<bool> closed = go_on({start.chart, end.side, end.step, end.fraction}, home);
+      if (!closed) return closed.error();
+      if (*closed) break;
+    }
+    return m_parts;
+  }
+
+private:
+  internal::Polychord_tracer& tracer(int chart) {
+    if (!m_tracers[chart])
+      m_tracers[chart] = std::make_unique<internal::Polychord_tracer>(m_textures[chart]->texture);
+    return *m_tracers[chart];
+  }
+
+  // Until the polychord comes home (true) or meets the boundary.
+  Result<bool> go_on(Side_place at, const Side_place& home) {
+    for (;;) {
+      const Result<Side_place> entered = m_crossing.cross(at);
+      if (!entered) return entered.error();
+      if (entered->chart < 0) return false;
+      if (entered->chart == home.chart && entered->walk == home.walk && entered->step == home.step)
+        return true;
+      const Quad_texture& texture = m_textures[entered->chart]->texture;
+      const Quad_corner edge = side_edge(texture, entered->walk, entered->step);
+      const bool along = texture.quads[edge.quad][edge.corner] == texture.sides[entered->walk][entered->step];
+      const double fraction = along ? entered->fraction : 1 - entered->fraction;
+      m_parts.push_back({entered->chart, {edge_place(texture, edge), fraction}});
+      const auto strip = tracer(entered->chart).strip({{0, 0, edge.quad, edge.corner}, fraction});
+      if (!strip) return strip.error();
+      if (Result<void> few = count_pass(entered->chart, strip->quads); !few) return few.error();
+      const Polychord_end &a = strip->ends[0], &b = strip->ends[1];
+      const Polychord_end& next = a.side == entered->walk && a.step == entered->step ? b : a;
+      at = {entered->chart, next.side, next.step, next.fraction};
+    }
+  }
+
+  // Where charts do not meet edge by edge a polychord can come back at ever other places, and each time the textures have more quads.
+  Result<void> count_pass(int chart, int crossed) {
+    m_quads += m_textures[chart]->texture.quads.size() + std::size_t(m_added[chart]);
+    m_added[chart] += crossed;
+    if (m_parts.size() < few_passes || m_quads <= most_quads) return {};
+    return make_error(Error_code::refused_edit,
+                      "the polychord goes through the charts too often before it closes: more than " +
+                          std::to_string(m_parts.size()) + " times",
+                      Element_kind::chart, m_parts.front().chart);
+  }
+
+  static constexpr std::size_t few_passes = 64; ///< that are never too many
+  static constexpr std::size_t most_quads =
+      1000000; ///< of the charts as they then are, summed over the passes
+
+  const std::vector<const Placed_texture*>& m_textures;
+  Contour_crossing m_crossing;
+  std::vector<std::unique_ptr<internal::Polychord_tracer>> m_tracers; ///< per chart, once it is needed
+  std::vector<Chart_polychord> m_parts;
+  std::vector<int> m_added; ///< per chart: quads so far
+  std::size_t m_quads = 0;
+};
 
 } // namespace
 
 Result<std::vector<Chart_polychord>>
 polychord_through_charts(const Atlas& atlas, const Contour_samples& samples,
                          const std::vector<const Placed_texture*>& textures, const Chart_polychord& start) {
-  const Contour_crossing crossing(atlas, samples, textures);
-  std::vector<Chart_polychord> out{start};
-  const Result<std::vector<Polychord_end>> first = polychord_ends(textures[start.chart]->texture, start.edit);
-  if (!first) return first.error();
-  if (first->empty()) return out;
-  const Polychord_end& home = (*first)[1];
-  std::size_t edges = 0;
-  for (const Placed_texture* t : textures) edges += t->texture.sides[0].size() + t->texture.quads.size();
-  // From the one end forward; if that meets the boundary, from the other end too.
-  for (const Polychord_end& end : *first) {
-    Side_place at{start.chart, end.side, end.step, end.fraction};
-    for (std::size_t passes = 0; passes <= edges; ++passes) {
-      const Result<Side_place> entered = crossing.cross(at);
-      if (!entered) return entered.error();
-      if (entered->chart < 0) break;
-      if (entered->chart == start.chart && entered->walk == home.side && entered->step == home.step)
-        return out;
-      const Quad_texture& texture = textures[entered->chart]->texture;
-      out.push_back({entered->chart, insertion(texture, *entered)});
-      const auto ends = polychord_ends(texture, out.back().edit);
-      if (!ends) return ends.error();
-      const bool came_by_first = (*ends)[0].side == entered->walk && (*ends)[0].step == entered->step;
-      const Polychord_end& next = (*ends)[came_by_first ? 1 : 0];
-      at = {entered->chart, next.side, next.step, next.fraction};
-    }
-  }
-  return out;
+  return Polychord_walk(atlas, samples, textures).run(start);
 }
 
 namespace {

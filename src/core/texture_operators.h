@@ -30,11 +30,33 @@ inline int halfedge(const Quad_corner& c) {
   return 4 * c.quad + c.corner;
 }
 
+/// Where the polychords of one texture end; its connectivity is found once. See `polychord_ends()`.
+class Polychord_tracer {
+public:
+  /// The texture must outlive the tracer.
+  explicit Polychord_tracer(const Quad_texture& texture);
+  Polychord_tracer(const Polychord_tracer&) = delete;
+  Polychord_tracer& operator=(const Polychord_tracer&) = delete;
+  struct Strip {
+    std::vector<Polychord_end> ends;
+    int quads = 0; ///< that it crosses
+  };
+  Result<Strip> strip(const Insert_polychord& edit) const;
+
+private:
+  Texture_limits m_limits;
+  Texture_draft m_draft;
+  Result<void> m_connected;
+};
+
 /// The quads of places, each once, in increasing order.
 Result<std::vector<int>> find_quads(const Quad_texture& texture, const std::vector<Texture_place>& places);
 
 /// A vertex moved by the fraction `at` of the way to the mean of the middles of quads of its fan.
 Plane_point inward(const Texture_draft& draft, int vertex, const std::vector<int>& quads, double at);
+
+/// Replaces a quad by four around a new vertex, between the vertices `middle` of its edges.
+void split_in_four(Texture_draft& draft, int quad, const std::array<int, 4>& middle);
 
 /// Whether a fraction may lie strictly between two ends.
 Result<void> check_fraction(double at);

@@ -54,22 +54,11 @@ Result<Polychord> trace(const Texture_draft& draft, const Texture_place& place) 
   return trace(draft, halfedge(*edge));
 }
 
-Plane_point centre(const Texture_plane& plane, const std::array<Plane_point, 4>& middles) {
-  return plane.between(plane.between(middles[0], middles[2], 0.5), plane.between(middles[1], middles[3], 0.5),
-                       0.5);
-}
-
 // Replaces a quad whose edges have new vertices (-1: none): by two where a strip crosses it, by four where two do.
 void split_quad(Texture_draft& draft, int f, const std::array<int, 4>& middle) {
+  if (middle[0] >= 0 && middle[1] >= 0) return split_in_four(draft, f, middle);
   const Quad& q = draft.before().quads[f];
   draft.remove_quad(f);
-  if (middle[0] >= 0 && middle[1] >= 0) {
-    std::array<Plane_point, 4> p;
-    for (int i = 0; i < 4; ++i) p[i] = draft.point(middle[i]);
-    const int c = draft.add_vertex(centre(draft.plane(), p));
-    for (int i = 0; i < 4; ++i) draft.add_quad({q[i], middle[i], c, middle[(i + 3) % 4]}, f);
-    return;
-  }
   const int i = middle[0] >= 0 ? 0 : 1;
   const int a = q[i], b = q[i + 1], c = q[i + 2], d = q[(i + 3) % 4], m = middle[i], n = middle[i + 2];
   draft.add_quad({a, m, n, d}, f);
@@ -149,26 +138,32 @@ Result<void> draw(Texture_draft& draft, const Delete_polychord& edit) {
   return {};
 }
 
-} // namespace internal
+Polychord_tracer::Polychord_tracer(const Quad_texture& texture)
+    : m_draft(texture, m_limits), m_connected(m_draft.connect()) {}
 
-Result<std::vector<Polychord_end>> polychord_ends(const Quad_texture& texture, const Insert_polychord& edit) {
-  using namespace internal;
-  const Texture_limits limits;
-  Texture_draft draft(texture, limits);
-  if (Result<void> connected = draft.connect(); !connected) return connected.error();
-  const Result<Polychord> chord = trace(draft, edit.edge);
+Result<Polychord_tracer::Strip> Polychord_tracer::strip(const Insert_polychord& edit) const {
+  if (!m_connected) return m_connected.error();
+  const Result<Polychord> chord = trace(m_draft, edit.edge);
   if (!chord) return chord.error();
-  std::vector<Polychord_end> ends;
-  if (chord->closed) return ends;
+  Strip strip{{}, int(chord->edges.size()) - 1};
+  if (chord->closed) return strip;
   for (const Cross_edge& e : {chord->edges.back(), chord->edges.front()}) {
-    const int w = draft.side(e.from);
-    const std::vector<int>& side = texture.sides[w];
+    const int w = m_draft.side(e.from);
+    const std::vector<int>& side = m_draft.before().sides[w];
     const int n = int(side.size());
     const int from = int(std::find(side.begin(), side.end(), e.from) - side.begin());
     const bool along = side[(from + 1) % n] == e.to;
-    ends.push_back({w, along ? from : (from + n - 1) % n, along ? edit.at : 1 - edit.at});
+    strip.ends.push_back({w, along ? from : (from + n - 1) % n, along ? edit.at : 1 - edit.at});
   }
-  return ends;
+  return strip;
+}
+
+} // namespace internal
+
+Result<std::vector<Polychord_end>> polychord_ends(const Quad_texture& texture, const Insert_polychord& edit) {
+  const auto strip = internal::Polychord_tracer(texture).strip(edit);
+  if (!strip) return strip.error();
+  return strip->ends;
 }
 
 } // namespace Reeb_quadrangulation

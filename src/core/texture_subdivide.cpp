@@ -8,6 +8,25 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
+void split_in_four(Texture_draft& draft, int quad, const std::array<int, 4>& middle) {
+  const Quad q = draft.before().quads[quad];
+  const auto between = [&](const Plane_point& a, const Plane_point& b) {
+    return draft.plane().between(a, b, 0.5);
+  };
+  const auto at = [&](int v) { return draft.point(v); };
+  const int c =
+      draft.add_vertex(between(between(at(middle[0]), at(middle[2])), between(at(middle[1]), at(middle[3]))));
+  const auto part = [&](int i) { return Quad{q[i], middle[i], c, middle[(i + 3) % 4]}; };
+  const auto are_valid = [&] {
+    return draft.is_valid(part(0)) && draft.is_valid(part(1)) && draft.is_valid(part(2)) &&
+           draft.is_valid(part(3));
+  };
+  // The mean of a concave quad may lie outside it; the middle of its diagonal does not.
+  for (int i = 0; i < 2 && !are_valid(); ++i) draft.move_vertex(c, between(at(q[i]), at(q[i + 2])));
+  draft.remove_quad(quad);
+  for (int i = 0; i < 4; ++i) draft.add_quad(part(i), quad);
+}
+
 Result<void> draw(Texture_draft& draft, const Subdivide_texture&) {
   const std::vector<Quad>& quads = draft.before().quads;
   if (quads.size() > std::size_t(1) << 26) return refused("the texture is too large to be subdivided");
@@ -21,16 +40,8 @@ Result<void> draw(Texture_draft& draft, const Subdivide_texture&) {
     else
       draft.split_side_edge(a, b, middle[h], 0.5);
   }
-  for (int f = 0; f < int(quads.size()); ++f) {
-    std::array<Plane_point, 4> p;
-    for (int i = 0; i < 4; ++i) p[i] = draft.point(middle[4 * f + i]);
-    const Texture_plane& plane = draft.plane();
-    const int c =
-        draft.add_vertex(plane.between(plane.between(p[0], p[2], 0.5), plane.between(p[1], p[3], 0.5), 0.5));
-    draft.remove_quad(f);
-    for (int i = 0; i < 4; ++i)
-      draft.add_quad({quads[f][i], middle[4 * f + i], c, middle[4 * f + (i + 3) % 4]}, f);
-  }
+  for (int f = 0; f < int(quads.size()); ++f)
+    split_in_four(draft, f, {middle[4 * f], middle[4 * f + 1], middle[4 * f + 2], middle[4 * f + 3]});
   return {};
 }
 

@@ -10,12 +10,19 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Applies an edit to the texture of a chart, whose sides keep their vertices at the contours' nodes, and finds its new vertices on the
-/// chart; the argument is left alone. Vertices of the sides may come and go: `stitch_textures()` joins the chart with its neighbours all
-/// the same. Fails as `edit_texture()` of a texture alone does. O(Q + F).
+/// Applies edits, one after the other, to the texture of a chart, whose sides keep their vertices at the contours' nodes, and finds its
+/// new vertices on the chart; the argument is left alone. Vertices of the sides may come and go: `stitch_textures()` joins the chart with
+/// its neighbours all the same. Fails as `edit_texture()` of a texture alone does. O(Q) for each edit, and O(F). \pre There is an edit.
 Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
                                     const Chart_parameterization& map, const Contour_samples& samples,
-                                    const Texture_edit& edit);
+                                    const std::vector<Texture_edit>& edits);
+
+/// The same for one edit.
+inline Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
+                                           const Chart_parameterization& map, const Contour_samples& samples,
+                                           const Texture_edit& edit) {
+  return edit_texture(placed, chart, map, samples, std::vector<Texture_edit>{edit});
+}
 
 /// The same with a locator of the chart that is kept from edit to edit: O(Q) for Q quads, whatever the chart's size.
 Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
@@ -38,7 +45,8 @@ struct Chart_polychord {
 
 /// Carries a polychord from a chart across the contours through all charts until it closes or ends on boundary loops: the insertions to
 /// be applied, in any order, after which both sides of each contour that it crosses have a new vertex in the same place. The edges are
-/// named by points. `textures` are those of the atlas' charts. Fails with `refused_edit` where sides do not meet edge by edge.
+/// named by points. `textures` are those of the atlas' charts. Fails with `refused_edit` where the polychord meets a vertex of the next
+/// chart, or goes through charts again and again: more than 64 times, whose quads add up to more than a million.
 Result<std::vector<Chart_polychord>>
 polychord_through_charts(const Atlas& atlas, const Contour_samples& samples,
                          const std::vector<const Placed_texture*>& textures, const Chart_polychord& start);
