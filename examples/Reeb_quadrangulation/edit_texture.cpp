@@ -29,6 +29,14 @@ RQ::Surface_point at(double x, double y, double z) {
   return {RQ::Point(x, y, z), -1};
 }
 
+// An edge of the chart at a point that runs from row to row: its polychord goes along a row.
+RQ::Surface_point edge_between_rows(const RQ::Editor& editor, const RQ::Surface_point& point) {
+  const RQ::Design_chart& chart = *editor.design().charts[std::size_t(editor.chart_at(point))];
+  const RQ::Quad_texture& t = chart.texture.texture;
+  const RQ::Quad& q = t.quads.front();
+  return surface_point(chart, edge_place(t, {0, t.u[q[0]] == t.u[q[1]] ? 1 : 0}));
+}
+
 RQ::Edit_texture texture(RQ::Texture_operator operation, const RQ::Surface_point& point,
                          RQ::Edit_scope scope = RQ::Edit_scope::chart) {
   return {operation, {point}, 0.5, scope};
@@ -50,9 +58,10 @@ int main() {
   poles.extrema.push_back({at(0, 0, 1), true, -1});
   apply(editor, "a regular design", poles);
 
-  // A line of new edges until it closes, here a ring around the belt: no extraordinary vertex more.
+  // A line of new edges until it closes, a ring around the belt: no extraordinary vertex more.
   apply(editor, "a polychord",
-        texture(RQ::Texture_operator::insert_polychord, at(1, 0, 0), RQ::Edit_scope::surface));
+        texture(RQ::Texture_operator::insert_polychord, edge_between_rows(editor, at(1, 0, 0)),
+                RQ::Edit_scope::surface));
   // The face of a cube.
   apply(editor, "a cube subdivision", texture(RQ::Texture_operator::inset_quads, at(0, 1, 0)));
   // One vertex of it is moved to a place on the surface.
