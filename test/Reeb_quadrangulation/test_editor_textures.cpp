@@ -453,6 +453,54 @@ TEST_CASE(
   CHECK(added[1] > added[0]);
 }
 
+TEST_CASE("a polychord that goes through large charts again and again is refused before any work is done") {
+  Editor editor = regular_torus();
+  applied(editor, Set_shift{arm, 1});
+  for (const int quads : {1200, 20000}) {
+    REQUIRE(editor.apply(Set_target{quads, 0}));
+    const Edit_texture insert =
+        operation(Operator::insert_polychord, {edge_across(editor, arm)}, 0.5, Edit_scope::surface);
+    const Result<Edit_report> done = editor.apply(insert);
+    INFO(quads << " quads" << (done ? "" : ": " + done.error().message));
+    CHECK(bool(done) == (quads < 2000));
+    if (done) {
+      CHECK(valences(editor) == std::map<int, int>{});
+      editor.undo();
+    } else {
+      const std::string reason =
+          "the polychord goes through the charts too often before it closes: more than ";
+      CHECK(done.error().code == Error_code::refused_edit);
+      CHECK(done.error().element == Element_kind::chart);
+      CHECK(done.error().message.substr(0, reason.size()) == reason);
+      CHECK(std::stoi(done.error().message.substr(reason.size())) >= 64);
+    }
+  }
+}
+
+TEST_CASE("a concave quad can be subdivided, and crossed by two polychords") {
+  Editor editor = sphere_session();
+  const int q = quad_near(editor, equator);
+  const Point corner = vertex_point(editor, equator, q, 0).point,
+              across = vertex_point(editor, equator, q, 2).point;
+  applied(editor, Drag_vertices{{{corner, -1}}, {corner + 0.8 * (across - corner), -1}});
+  const Quad_texture& texture = texture_at(editor, equator);
+  const Quad quad = texture.quads[std::size_t(q)];
+  const auto side = [&](int i) { // of the quad's corner i, as seen along the way from the corner before
+    const auto p = [&](int k) {
+      return Eigen::Vector2d(texture.v[quad[(i + k + 4) % 4]], texture.u[quad[(i + k + 4) % 4]]);
+    };
+    const Eigen::Vector2d a = p(0) - p(-1), b = p(1) - p(0);
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  REQUIRE(side(0) < 0);
+  applied(editor, operation(Operator::subdivide, {equator}));
+  editor.undo();
+  // Four quads of one.
+  const Surface_point first = edge_point(editor, equator, q, 0), second = edge_point(editor, equator, q, 1);
+  applied(editor, operation(Operator::insert_polychord, {first}));
+  applied(editor, operation(Operator::insert_polychord, {second}));
+}
+
 TEST_CASE("the final relaxation leaves dragged vertices where the user has put them") {
   Editor editor = sphere_session();
   const int q = quad_near(editor, equator);
