@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -84,6 +85,12 @@ Result<Design> next_design(Draft& draft, const Snap_vertices& edit) {
   return with_texture(draft, edit);
 }
 
+// A design, and its quads if they had to be stitched to see that they can be.
+struct Changed {
+  Design design;
+  std::optional<Stitched_mesh> quads;
+};
+
 bool has_whole_pole(const Design& design) {
   return std::any_of(design.extrema.begin(), design.extrema.end(),
                      [](const Design_extremum& e) { return e.pole == Pole_kind::whole; });
@@ -96,18 +103,19 @@ struct Editor::Implementation {
       : input(std::move(surface)), options(editor_options) {}
 
   const Design& design() const { return *states[position]; }
-  Result<Design> changed(const Edit& edit, Observer* observer) const {
+  Result<Changed> changed(const Edit& edit, Observer* observer) const {
     if (design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
         !std::holds_alternative<Set_extrema>(edit))
       return refuse("the design is empty", "place extrema first");
     Draft draft(working, *projector, *solver, design(), options, observer);
     Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
-    if (!next || (!has_edited_texture(*next) && !has_whole_pole(*next))) return next;
-    const Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next);
+    if (!next) return next.error();
+    if (!has_edited_texture(*next) && !has_whole_pole(*next)) return Changed{std::move(*next), {}};
+    Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next);
     if (!stitched) return stitched.error();
     if (has_whole_pole(*next) && !has_all_fans(*next, *stitched))
       return refuse("the ring around a whole pole is none that a fan could fill");
-    return next;
+    return Changed{std::move(*next), std::move(*stitched)};
   }
 
   Triangle_surface input, working;
@@ -117,6 +125,8 @@ struct Editor::Implementation {
   std::vector<std::shared_ptr<const Design>> states;
   std::vector<Edit> edits; // edit i leads from state i to state i + 1
   int position = 0;
+  std::shared_ptr<const Design> stitched_design; // whose quads the last edit had to stitch, or null
+  Stitched_mesh stitched_quads;
 };
 
 Editor::Editor(std::unique_ptr<Implementation> implementation)
@@ -161,21 +171,25 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
 Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   Implementation& m = *m_implementation;
   const auto begin = std::chrono::steady_clock::now();
-  Result<Design> design = m.changed(edit, observer);
-  if (!design) return design.error();
-  auto state = std::make_shared<const Design>(std::move(*design));
+  Result<Changed> changed = m.changed(edit, observer);
+  if (!changed) return changed.error();
+  const auto state = std::make_shared<const Design>(std::move(changed->design));
   Edit_report report = differences(m.design(), *state);
   m.states.resize(m.position + 1);
   m.edits.resize(m.position);
-  m.states.push_back(std::move(state));
+  m.states.push_back(state);
   m.edits.push_back(edit);
+  m.stitched_design = changed->quads ? state : nullptr;
+  m.stitched_quads = changed->quads ? std::move(*changed->quads) : Stitched_mesh();
   ++m.position;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return report;
 }
 
 Result<Design> Editor::preview(const Edit& edit, Observer* observer) const {
-  return m_implementation->changed(edit, observer);
+  Result<Changed> changed = m_implementation->changed(edit, observer);
+  if (!changed) return changed.error();
+  return std::move(changed->design);
 }
 
 bool Editor::can_undo() const {
@@ -232,6 +246,7 @@ int Editor::chart_at(const Surface_point& point) const {
 Stitched_mesh Editor::quads() const {
   const Design& d = design();
   if (d.charts.empty()) return {};
+  if (m_implementation->stitched_design.get() == &d) return m_implementation->stitched_quads;
   Result<Stitched_mesh> stitched = stitch_design(working_surface(), *m_implementation->projector, d);
   CGAL_assertion(bool(stitched)); // else the edit would have been refused
   return std::move(*stitched);

@@ -269,7 +269,8 @@ public:
 
   Line run(int start) {
     m_start = start;
-    m_reached.clear();
+    m_reached.resize(4 * m_mesh.quads().size(), Reached{0, -1, 0, false});
+    ++m_run;
     m_queue = {};
     reach(start, -1, 0);
     while (!m_queue.empty()) {
@@ -288,6 +289,7 @@ private:
   struct Reached {
     double cost;
     int from; ///< the halfedge by which the quad before was entered
+    int run;  ///< of the search: else it is not reached
     bool done;
   };
   // A line that has entered a quad by a halfedge, or ends at one (`end`) having entered its quad by `from`.
@@ -301,11 +303,16 @@ private:
     }
   };
 
+  // Whether that is the cheapest way to a halfedge so far.
+  bool note(int h, int from, double cost) {
+    Reached& r = m_reached[std::size_t(h)];
+    if (r.run == m_run && !(cost < r.cost)) return false;
+    r = {cost, from, m_run, false};
+    return true;
+  }
+
   void reach(int h, int from, double cost) {
-    const auto place = m_reached.find(h);
-    if (place != m_reached.end() && !(cost < place->second.cost)) return;
-    m_reached[h] = {cost, from, false};
-    m_queue.push({cost, false, h, from});
+    if (note(h, from, cost)) m_queue.push({cost, false, h, from});
   }
 
   void leave(const Entry& e) {
@@ -314,12 +321,14 @@ private:
     for (int turn = 1; turn < 4; ++turn) {
       out = next(out);
       const double cost = e.cost + (turn == 2 ? 1 : m_options.turn_cost);
+      if (const int o = m_mesh.opposite(out); o >= 0) {
+        reach(o, e.halfedge, cost);
+        continue;
+      }
       const auto t = m_mesh.hanging().find({m_mesh.source(out), m_mesh.target(out)});
       if (t != m_mesh.hanging().end()) {
         if (t->second.size() % 2 == 1) end(out, e.halfedge, cost);
-      } else if (const int o = m_mesh.opposite(out); o >= 0)
-        reach(o, e.halfedge, cost);
-      else if (const Hanging_mesh::Edge* whole = m_mesh.whole(out); whole != nullptr) {
+      } else if (const Hanging_mesh::Edge* whole = m_mesh.whole(out); whole != nullptr) {
         if (m_mesh.find(*whole) != m_start) end(out, e.halfedge, cost + cost_of_part(*whole));
       } else if (m_options.may_end_on_boundary)
         end(out, e.halfedge, cost);
@@ -333,10 +342,7 @@ private:
   }
 
   void end(int h, int from, double cost) {
-    const auto place = m_reached.find(h);
-    if (place != m_reached.end() && !(cost < place->second.cost)) return;
-    m_reached[h] = {cost, from, false};
-    m_queue.push({cost, true, h, from});
+    if (note(h, from, cost)) m_queue.push({cost, true, h, from});
   }
 
   Line line(const Entry& e) {
@@ -368,7 +374,8 @@ private:
   const Hanging_mesh& m_mesh;
   const T_junction_options& m_options;
   int m_start = -1;
-  std::map<int, Reached> m_reached;
+  int m_run = 0;
+  std::vector<Reached> m_reached; ///< per halfedge
   std::priority_queue<Entry> m_queue;
 };
 

@@ -72,7 +72,8 @@ public:
   /// The chart of the design that contains a point, or -1.
   int chart_at(const Surface_point& point) const;
 
-  /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads).
+  /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads); a copy where the last edit had to
+  /// stitch them already, to see that edited textures meet.
   Stitched_mesh quads() const;
   /// The same, relaxed on the input surface with its features kept, as `quadrangulate()` ends.
   Result<Stitched_mesh> finished_quads(const Relax_options& relaxation = {},
