@@ -96,6 +96,10 @@ int main(int argc, char** argv) {
     const Surface_point c = random.contour(true);
     return Move_contour{c, c.point, random.direction(), {}, Enforcement::contour};
   });
+  run("move_saddle", [&] {
+    const Surface_point s = random.saddle();
+    return Move_saddle{s, random.beside(s, 2)};
+  });
   run("drag_contour", [&] { return Drag_contour{random.contour(true), random.vertex()}; });
   run("straighten_contour", [&] { return Straighten_contour{random.contour(true)}; });
   run("move_extremum", [&] {

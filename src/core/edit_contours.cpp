@@ -128,31 +128,19 @@ Result<void> apply_edit(Draft& draft, const Drag_contour& edit) {
   return check_caps(draft);
 }
 
-namespace {
-
-struct Chart_signature {
-  std::vector<int> edges; // of its walks, but for the moved one
-  int extremum = -1;
-};
-
-// What is on the left of a contour edge beyond the edge itself.
-Chart_signature left_of(const Draft& draft, int edge) {
-  Chart_signature left;
-  const int c = draft.atlas().charts_of_edge[edge][0];
-  if (c < 0) return left;
+Chart_signature chart_beside(const Draft& draft, int edge, int side, const std::map<int, int>& names) {
+  Chart_signature signature;
+  const int c = draft.atlas().charts_of_edge[edge][side];
+  if (c < 0) return signature;
   const Chart& chart = draft.chart(c);
-  for (const Walk& walk : chart.walks)
-    for (const Walk_edge& e : walk.edges)
-      if (e.edge != edge) left.edges.push_back(e.edge);
-  std::sort(left.edges.begin(), left.edges.end());
-  if (chart.extremum >= 0) left.extremum = chart.vertex_origin[chart.extremum];
-  return left;
+  for (int e : contour_edges(chart)) signature.edges.push_back(names.count(e) ? names.at(e) : e);
+  std::sort(signature.edges.begin(), signature.edges.end());
+  if (chart.extremum >= 0) signature.extremum = chart.vertex_origin[chart.extremum];
+  return signature;
 }
 
-} // namespace
-
 Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh) {
-  const Chart_signature left = left_of(draft, old);
+  const Chart_signature left = chart_beside(draft, old, 0, {});
   const Contour_edge before = draft.network.edges[old];
   fresh.value = before.value;
   fresh.left = before.left;
@@ -163,10 +151,7 @@ Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh) {
   draft.replaced[edge] = draft.replaced.count(old) ? draft.replaced[old] : old;
   for (Design_extremum& e : draft.extrema)
     if (e.segment == old) e.segment = edge;
-  const auto agrees = [&] {
-    const Chart_signature now = left_of(draft, edge);
-    return now.edges == left.edges && now.extremum == left.extremum;
-  };
+  const auto agrees = [&] { return chart_beside(draft, edge, 0, {{edge, old}}) == left; };
   Result<void> cut = draft.cut();
   if (cut && agrees()) return check_caps(draft);
   const bool is_loop = before.from == before.to;
@@ -242,13 +227,8 @@ Result<int> part_between(Draft& draft, int e, const std::vector<Surface_point>& 
 
 Result<void> move_part(Draft& draft, int e, const Move_contour& edit) {
   const Contour_edge old = draft.network.edges[e];
-  const Point a = draft.position(old.vertices.front()), b = draft.position(old.vertices.back());
-  Eigen::Vector3d normal = edit.plane_normal;
-  if (a != b) normal -= normal.dot(b - a) / (b - a).squaredNorm() * (b - a);
-  if (!(normal.norm() > 1e-9 * edit.plane_normal.norm()))
-    return refuse("the plane's normal is parallel to the line between the anchors");
   Result<Contour_edge> path = plane_path(draft.surface(), draft.network, old.vertices.front(),
-                                         old.vertices.back(), Cutting_plane::at(a, normal), edit.at.point);
+                                         old.vertices.back(), edit.plane_normal, edit.at.point);
   if (!path) return path.error();
   path->from = old.from;
   path->to = old.to;

@@ -277,16 +277,8 @@ Result<Contour_edge> path_around(Draft& draft, int c, Side side, int visit, doub
 // A path between two contour vertices in the plane through them that stands upright on the surface at `vertex` of it.
 Result<Contour_edge> upright_path(Draft& draft, int vertex, int from, int to) {
   const Triangle_surface& surface = draft.surface();
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  const int first = surface.outgoing[vertex];
-  int h = first;
-  do {
-    const Triangle& t = surface.triangles[h / 3];
-    up += (surface.points[t[1]] - surface.points[t[0]]).cross(surface.points[t[2]] - surface.points[t[0]]);
-    h = surface.rotate_ccw(h);
-  } while (h >= 0 && h != first);
   const Point a = draft.position(from), b = draft.position(to);
-  const Eigen::Vector3d normal = (b - a).cross(up);
+  const Eigen::Vector3d normal = (b - a).cross(normal_at(surface, vertex));
   if (!(normal.norm() > 0)) return refuse("there is no room for the corners on the saddle's contour");
   return plane_path(surface, draft.network, from, to, Cutting_plane::at(a, normal), 0.5 * (a + b));
 }

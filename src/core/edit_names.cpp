@@ -14,6 +14,7 @@ struct Namer {
   const char* operator()(const Move_extremum&) const { return "move_extremum"; }
   const char* operator()(const Change_value&) const { return "change_value"; }
   const char* operator()(const Move_contour&) const { return "move_contour"; }
+  const char* operator()(const Move_saddle&) const { return "move_saddle"; }
   const char* operator()(const Drag_contour&) const { return "drag_contour"; }
   const char* operator()(const Straighten_contour&) const { return "straighten_contour"; }
   const char* operator()(const Snap_contour&) const { return "snap_contour"; }

@@ -17,6 +17,7 @@ Result<void> apply_edit(Draft& draft, const Remove_extremum& edit);
 Result<void> apply_edit(Draft& draft, const Move_extremum& edit);
 Result<void> apply_edit(Draft& draft, const Change_value& edit);
 Result<void> apply_edit(Draft& draft, const Move_contour& edit);
+Result<void> apply_edit(Draft& draft, const Move_saddle& edit);
 Result<void> apply_edit(Draft& draft, const Drag_contour& edit);
 Result<void> apply_edit(Draft& draft, const Straighten_contour& edit);
 Result<void> apply_edit(Draft& draft, const Snap_contour& edit);
@@ -76,8 +77,21 @@ Result<int> draw_level_line(Draft& draft, int chart, int vertex);
 /// The contour edge at a point, which an edit may remove: a free loop inside the surface.
 Result<int> free_loop_at(const Draft& draft, const Surface_point& at);
 
+/// What bounds a chart: its contour edges, in increasing order, and its extremum, or -1.
+struct Chart_signature {
+  std::vector<int> edges;
+  int extremum = -1;
+  bool operator==(const Chart_signature& o) const { return edges == o.edges && extremum == o.extremum; }
+};
+
+/// The signature of the chart on the left (0) or right (1) of a contour edge; edges in `names` go by these.
+Chart_signature chart_beside(const Draft& draft, int edge, int side, const std::map<int, int>& names);
+
 /// Puts a new polyline in the place of contour edge `old`, in the sense in which the same charts stay on its left.
 Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh);
+
+/// The sum of the normals of the triangles at a vertex, each as long as twice its area.
+Eigen::Vector3d normal_at(const Triangle_surface& surface, int vertex);
 
 /// Fails unless every extremum has a cap: a contour of its own (a disc's corners would fall on saddles).
 Result<void> check_caps(const Draft& draft);

@@ -61,6 +61,11 @@ template <class F> void fields(F& f, Move_contour& e) {
   f.optional("anchors", e.anchors);
   f.optional("enforcement", e.enforcement);
 }
+template <class F> void fields(F& f, Move_saddle& e) {
+  f("at", e.at);
+  f("to", e.to);
+  f.optional("plane_normal", e.plane_normal);
+}
 template <class F> void fields(F& f, Drag_contour& e) {
   f("at", e.at);
   f("to", e.to);

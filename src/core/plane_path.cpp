@@ -22,9 +22,11 @@ public:
               int from, int to)
       : m_surface(surface), m_network(network), m_above(std::move(is_above)), m_from(from), m_to(to) {}
 
-  std::vector<Path> paths() const {
+  std::vector<Path> paths(std::optional<Loop_sense> sense) const {
     std::vector<Path> found;
     for (int exit : prongs()) {
+      const bool above_on_left = m_above[m_surface.target(exit)] != 0;
+      if (sense && m_from == m_to && above_on_left != (*sense == Loop_sense::above_on_left)) continue;
       Path path;
       if (follow(exit, path)) found.push_back(std::move(path));
     }
@@ -96,10 +98,11 @@ Edge_crossing crossing_of(const Triangle_surface& s, const Cutting_plane& plane,
 } // namespace
 
 Result<Contour_edge> plane_path(const Triangle_surface& surface, Contour_network& network, int from, int to,
-                                const Cutting_plane& plane, const Point& at) {
+                                const Cutting_plane& plane, const Point& at,
+                                std::optional<Loop_sense> sense) {
   Result<std::vector<char>> above = classify_vertices(surface, plane);
   if (!above) return above.error();
-  const std::vector<Path> paths = Path_tracer(surface, network, std::move(*above), from, to).paths();
+  const std::vector<Path> paths = Path_tracer(surface, network, std::move(*above), from, to).paths(sense);
   const Path* best = nullptr;
   double least = 0;
   for (const Path& path : paths)
@@ -121,6 +124,17 @@ Result<Contour_edge> plane_path(const Triangle_surface& surface, Contour_network
   }
   edge.vertices.push_back(to);
   return edge;
+}
+
+Result<Contour_edge> plane_path(const Triangle_surface& surface, Contour_network& network, int from, int to,
+                                const Eigen::Vector3d& normal, const Point& at,
+                                std::optional<Loop_sense> sense) {
+  const Point a = network.position(surface, from), b = network.position(surface, to);
+  Eigen::Vector3d upright = normal;
+  if (a != b) upright -= normal.dot(b - a) / (b - a).squaredNorm() * (b - a);
+  if (!(upright.norm() > 1e-9 * normal.norm()))
+    return refuse("the plane's normal is parallel to the line between the anchors");
+  return plane_path(surface, network, from, to, Cutting_plane::at(a, upright), at, sense);
 }
 
 } // namespace Reeb_quadrangulation

@@ -40,7 +40,11 @@ public:
     case 13:
     case 14: return Subdivide_chart{vertex()};
     case 15: return Remove_contour{contour()};
-    case 16: return Align_saddles{saddle(), saddle()};
+    case 16: {
+      const Surface_point s = saddle();
+      if (m_random.below(2) == 0) return Align_saddles{s, saddle()};
+      return m_random.below(3) == 0 ? Move_saddle{s, s, normal()} : Move_saddle{s, near(s)};
+    }
     case 17: return m_random.below(3) == 0 ? Edit(Collapse_thin_charts{}) : Edit(Collapse_chart{vertex()});
     case 18: return Split_pole{extremum(), Pole_kind(m_random.below(3)), {}};
     case 19: {

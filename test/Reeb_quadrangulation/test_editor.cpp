@@ -162,6 +162,55 @@ TEST_CASE("a contour moves to a plane") {
           "disc with one extremum: Euler characteristic -1, 3 boundaries, 0 extrema");
 }
 
+TEST_CASE("a saddle moves with all its contours to the plane that touches the surface, and back") {
+  Editor editor = torus_session();
+  const std::map<int, int> before = valences(editor);
+  const double margin = 0.03 * longest_edge(editor.working_surface());
+  // Along the inner circle of the torus the touching plane meets it in a figure eight: both loops lie in it.
+  for (const double angle : {0.0, 0.4, -0.4, 0.0}) {
+    const Point to(-0.6 * std::cos(angle), 0.6 * std::sin(angle), 0);
+    const Edit_report report = applied(editor, Move_saddle{at(-0.6, 0, 0), {to, -1}});
+    CHECK(report.new_contours.size() == 2);
+    CHECK(report.removed_contours.size() == 2);
+    CHECK(report.new_charts.size() == 3);
+    CHECK(valences(editor) == before);
+    const Contour_network& network = editor.design().network;
+    const Contour_edge &first = network.edges[std::size_t(report.new_contours[0])],
+                       &second = network.edges[std::size_t(report.new_contours[1])];
+    CHECK(first.from == first.to);
+    CHECK(second.from == first.from);
+    CHECK(second.to == first.from);
+    CHECK(network.nodes[std::size_t(first.from)].kind == Node_kind::saddle);
+    const Triangle_surface& s = editor.working_surface();
+    const int saddle = network.nodes[std::size_t(first.from)].vertex;
+    CHECK((s.points[std::size_t(saddle)] - to).norm() < longest_edge(s));
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (const Triangle& t : s.triangles)
+      if (std::find(t.begin(), t.end(), saddle) != t.end())
+        normal += (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]);
+    double farthest = 0; // along the contours, from the saddle
+    for (int e : report.new_contours)
+      for (const Point& p : points_of(editor, e)) {
+        CHECK(std::abs((p - s.points[std::size_t(saddle)]).dot(normal.normalized())) <= margin);
+        farthest = std::max(farthest, (p - s.points[std::size_t(saddle)]).norm());
+      }
+    CHECK(farthest > 1);
+  }
+}
+
+TEST_CASE("a saddle stays where not all of its contours could follow it") {
+  Editor editor = torus_session();
+  const Surface_point saddle = at(-0.6, 0, 0);
+  refused(editor, Move_saddle{saddle, saddle, {0, 0, 1}},
+          "the plane meets the surface in fewer curves than the saddle has contours");
+  refused(editor, Move_saddle{saddle, at(-1.4, 0, 0)}, "the saddle would leave its charts");
+  refused(editor, Move_saddle{saddle, at(1.3, 0, 0.2)}, "the saddle would leave its charts");
+  applied(editor, Lock_chart{at(0, 1.4, 0), true});
+  refused(editor, Move_saddle{saddle, saddle}, "the edit would change a locked chart");
+  Editor sphere = sphere_session();
+  refused(sphere, Move_saddle{at(1, 0, 0), at(1, 0, 0)}, "there is no saddle");
+}
+
 TEST_CASE("between two anchors a part of a contour moves alone") {
   Editor editor = sphere_session();
   applied(editor, Subdivide_chart{at(1, 0, 0)});

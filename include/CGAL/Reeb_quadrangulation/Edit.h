@@ -103,6 +103,14 @@ struct Move_contour {
   std::vector<Surface_point> anchors; ///< none or two
   Enforcement enforcement = Enforcement::contour;
 };
+/// Moves a saddle with all its contours at once: the saddle to a vertex in the charts around it, the contours to the intersection of the
+/// surface with a plane through that vertex. It is the nearest one to `to`, at most the length of a quad's edge away, where the plane
+/// meets the surface in as many curves as the saddle has contours, as the touching plane does where the surface is a saddle itself.
+/// Contours to other saddles end there as before, each in the plane through both whose normal is nearest.
+struct Move_saddle {
+  Surface_point at, to;                                   ///< the saddle; where it goes, also the same point
+  Eigen::Vector3d plane_normal = Eigen::Vector3d::Zero(); ///< zero: of the surface at `to`
+};
 /// Moves a contour without saddles to the level line through a vertex.
 struct Drag_contour {
   Surface_point at, to;
@@ -259,7 +267,7 @@ struct Reset_texture {
 
 using Edit =
     std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
-                 Move_contour, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
+                 Move_contour, Move_saddle, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
                  Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
                  Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
                  Lock_chart, Edit_texture, Drag_vertices, Relax_texture, Snap_vertices, Reset_texture>;
