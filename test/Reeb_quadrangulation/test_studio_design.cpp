@@ -9,12 +9,16 @@
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
+#include <server/Design_drawing.h>
 #include <server/Frame_patch.h>
 #include <server/Session.h>
 
 #include <functional>
+#include <map>
+#include <set>
 
 using namespace CGAL::Reeb_quadrangulation;
+using reebquad::studio::Design_drawing;
 using reebquad::studio::Folder;
 using reebquad::studio::frame_patch;
 using reebquad::studio::Frame_view;
@@ -123,7 +127,71 @@ Json point_inside(Session& session, int chart) {
   return point;
 }
 
+/// The area of each chart's part of each face that is cut.
+std::map<std::pair<int, int>, double>
+areas_of_pieces(const Embedding& cut, const std::vector<int>& chart_of_face, const Triangle_surface& base) {
+  std::map<std::pair<int, int>, double> areas;
+  for (int f = 0; f < cut.surface.number_of_faces(); ++f) {
+    const Triangle& t = cut.surface.triangles[f];
+    if (f < base.number_of_faces() && t == base.triangles[f]) continue;
+    const std::vector<Point>& p = cut.surface.points;
+    areas[{cut.base_face[f], chart_of_face[f]}] += 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+  }
+  return areas;
+}
+
+/// What is drawn of a design has each face in the charts in which it lies, with the area that it has there.
+void check_drawing(Design_drawing& kept, const Editor& editor) {
+  const Design& design = editor.design();
+  const Triangle_surface& surface = editor.working_surface();
+  const Reeb_graph graph = reeb_graph(design.atlas, design.network);
+  kept.update(design);
+  const auto drawn = kept.charted(design, graph);
+  const Embedded_design whole = embed_design(surface, design);
+  const auto found = areas_of_pieces(drawn.embedding, drawn.chart_of_face, surface),
+             expected = areas_of_pieces(whole.embedding, whole.chart_of_face, surface);
+  std::set<int> is_cut;
+  for (const auto& [where, area] : expected) {
+    is_cut.insert(where.first);
+    REQUIRE(found.count(where));
+    CHECK(found.at(where) == Approx(area));
+  }
+  int wrong = 0;
+  for (int f = 0; f < surface.number_of_faces(); ++f)
+    wrong += !is_cut.count(f) && drawn.chart_of_face[f] != whole.chart_of_face[f];
+  CHECK(wrong == 0);
+
+  Design_drawing fresh(surface);
+  fresh.update(design);
+  const auto again = fresh.charted(design, graph);
+  CHECK(again.embedding.surface.triangles == drawn.embedding.surface.triangles);
+  CHECK(again.embedding.base_face == drawn.embedding.base_face);
+  CHECK(again.embedding.surface.points == drawn.embedding.surface.points);
+  CHECK(again.values == drawn.values);
+  CHECK(again.chart_of_face == drawn.chart_of_face);
+  CHECK(*again.lines == *drawn.lines);
+}
+
 } // namespace
+
+TEST_CASE("the surface of a design, put together from its charts, is the one that is cut as a whole") {
+  Result<Editor> editor = Editor::create(*make_shape("hand", 6000));
+  REQUIRE(editor);
+  Design_drawing kept(editor->working_surface());
+  REQUIRE(editor->apply(Suggest{}));
+  check_drawing(kept, *editor);
+  const Triangle_surface& surface = editor->working_surface();
+  const int tip = editor->design().extrema.back().vertex, beside = surface.target(surface.outgoing[tip]);
+  Move_extremum move;
+  move.from = {surface.points[tip], tip};
+  move.to = {surface.points[beside], beside};
+  REQUIRE(editor->apply(move));
+  check_drawing(kept, *editor);
+  editor->undo();
+  check_drawing(kept, *editor);
+  editor->redo();
+  check_drawing(kept, *editor);
+}
 
 TEST_CASE("with a whole pole the studio exports the fan that replay writes, draws it and certifies it") {
   const std::string mesh = file_of("sphere", 1200);

@@ -321,6 +321,36 @@ TEST_CASE("work is cancelled within a quarter of a second, and by the edit that 
   CHECK(went_on.get_future().get());
 }
 
+TEST_CASE("of a drag each edit is carried out, until something else comes") {
+  Worker worker([](const std::string&, double) {});
+  const auto never = [](const std::string&) { FAIL("the job threw"); };
+  std::promise<void> begun, pushed;
+  std::promise<bool> first, second, third;
+  worker.push(
+      [&](Worker::Observer& observer) {
+        begun.set_value();
+        pushed.get_future().wait();
+        first.set_value(observer.cancelled());
+      },
+      never, true, true, 7);
+  begun.get_future().wait();
+  worker.push([&](Worker::Observer& observer) { second.set_value(observer.cancelled()); }, never, true, true,
+              7);
+  SECTION("one of the same drag") {
+    pushed.set_value();
+    CHECK(!first.get_future().get());
+    CHECK(!second.get_future().get());
+  }
+  SECTION("another drag") {
+    worker.push([&](Worker::Observer& observer) { third.set_value(observer.cancelled()); }, never, true, true,
+                8);
+    pushed.set_value();
+    CHECK(first.get_future().get());
+    CHECK(second.get_future().get());
+    CHECK(!third.get_future().get());
+  }
+}
+
 TEST_CASE("a job that throws does not end the worker") {
   Worker worker([](const std::string&, double) {});
   std::promise<std::string> said;

@@ -38,67 +38,44 @@ std::vector<double> edge_distances(const Triangle_surface& mesh, const std::vect
   return distance;
 }
 
-class Field {
-public:
-  Field(const Design& design, const Embedding& embedding)
-      : m_design(design), m_values(embedding.surface.points.size(), 0.5) {}
+double value_of(const Design& design, const Walk& walk) {
+  double sum = 0;
+  for (const Walk_edge& e : walk.edges) sum += design.network.edges[e.edge].value;
+  return walk.edges.empty() ? 0.5 : sum / double(walk.edges.size());
+}
 
-  std::vector<double> values() {
-    for (const auto& chart : m_design.charts) {
-      if (chart->chart->kind == Chart_kind::annulus && chart->map)
-        annulus(*chart);
-      else
-        disc(*chart->chart);
-    }
-    return std::move(m_values);
+std::vector<double> disc_field(const Chart& chart, const Chart_levels& levels) {
+  std::vector<double> values(chart.mesh.points.size(), levels.first);
+  if (chart.walks.empty() || chart.extremum < 0) return values; // a rectangle between fractional saddles
+  const std::vector<double> to_tip = edge_distances(chart.mesh, {chart.extremum});
+  const std::vector<double> to_rim = edge_distances(chart.mesh, chart.walks[0].vertices);
+  for (std::size_t v = 0; v < to_tip.size(); ++v) {
+    const double sum = to_tip[v] + to_rim[v];
+    if (sum > 0 && sum < std::numeric_limits<double>::infinity())
+      values[v] = levels.last + to_tip[v] / sum * (levels.first - levels.last);
   }
-
-private:
-  double value_of(const Walk& walk) const {
-    double sum = 0;
-    for (const Walk_edge& e : walk.edges) sum += m_design.network.edges[e.edge].value;
-    return walk.edges.empty() ? 0.5 : sum / double(walk.edges.size());
-  }
-
-  void set(const Chart& chart, std::size_t v, double value) {
-    if (chart.vertex_origin[v] >= 0) m_values[chart.vertex_origin[v]] = value;
-  }
-
-  void annulus(const Design_chart& made) {
-    const Chart& chart = *made.chart;
-    const double low = value_of(chart.walk(Side::low)), high = value_of(chart.walk(Side::high));
-    const std::vector<double>& u = made.map->u();
-    for (std::size_t v = 0; v < u.size(); ++v) set(chart, v, low + u[v] * (high - low));
-  }
-
-  void disc(const Chart& chart) {
-    if (chart.walks.empty()) return;
-    const double rim = value_of(chart.walks[0]);
-    if (chart.extremum < 0) { // a rectangle between fractional saddles
-      for (std::size_t v = 0; v < chart.mesh.points.size(); ++v) set(chart, v, rim);
-      return;
-    }
-    double tip = chart.walks[0].side == Side::low ? 1 : 0;
-    for (const Design_extremum& e : m_design.extrema)
-      if (e.vertex == chart.vertex_origin[chart.extremum]) tip = e.value;
-    const std::vector<double> to_tip = edge_distances(chart.mesh, {chart.extremum});
-    const std::vector<double> to_rim = edge_distances(chart.mesh, chart.walks[0].vertices);
-    for (std::size_t v = 0; v < to_tip.size(); ++v) {
-      const double sum = to_tip[v] + to_rim[v];
-      set(chart, v,
-          sum > 0 && sum < std::numeric_limits<double>::infinity() ? tip + to_tip[v] / sum * (rim - tip)
-                                                                   : rim);
-    }
-  }
-
-  const Design& m_design;
-  std::vector<double> m_values;
-};
+  return values;
+}
 
 } // namespace
 
-std::vector<double> design_field(const Design& design, const Embedding& embedding) {
-  return Field(design, embedding).values();
+Chart_levels chart_levels(const Design& design, const Chart& chart) {
+  if (chart.walks.empty()) return {0.5, 0.5};
+  if (chart.kind == Chart_kind::annulus)
+    return {value_of(design, chart.walk(Side::low)), value_of(design, chart.walk(Side::high))};
+  const double rim = value_of(design, chart.walks[0]);
+  if (chart.extremum < 0) return {rim, rim};
+  double tip = chart.walks[0].side == Side::low ? 1 : 0;
+  for (const Design_extremum& e : design.extrema)
+    if (e.vertex == chart.vertex_origin[chart.extremum]) tip = e.value;
+  return {rim, tip};
+}
+
+std::vector<double> chart_field(const Design_chart& chart, const Chart_levels& levels) {
+  if (chart.chart->kind != Chart_kind::annulus || !chart.map) return disc_field(*chart.chart, levels);
+  std::vector<double> values = chart.map->u();
+  for (double& value : values) value = levels.first + value * (levels.last - levels.first);
+  return values;
 }
 
 } // namespace studio

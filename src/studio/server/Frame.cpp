@@ -62,20 +62,27 @@ Frame_view::Frame_view(const std::string& message) : m_message(message) {
       Json::parse(message.begin() + std::ptrdiff_t(alignment), message.begin() + std::ptrdiff_t(m_payload));
 }
 
-std::vector<std::uint8_t> Frame_view::bytes(const std::string& name) const {
+std::string_view Frame_view::raw(const std::string& name) const {
   for (const Json& array : header["arrays"]) {
     if (array["name"] != name) continue;
-    const auto begin = m_message.begin() + std::ptrdiff_t(m_payload + array["offset"].get<std::size_t>());
     const std::size_t size = array["type"] == "u8" ? 1 : 4;
-    return {begin, begin + std::ptrdiff_t(size * array["length"].get<std::size_t>())};
+    return std::string_view(m_message).substr(m_payload + array["offset"].get<std::size_t>(),
+                                              size * array["length"].get<std::size_t>());
   }
   return {};
 }
 
+std::vector<std::uint8_t> Frame_view::bytes(const std::string& name) const {
+  const std::string_view all = raw(name);
+  return {all.begin(), all.end()};
+}
+
 std::vector<std::uint32_t> Frame_view::words(const std::string& name) const {
-  const std::vector<std::uint8_t> all = bytes(name);
+  const std::string_view all = raw(name);
   std::vector<std::uint32_t> numbers(all.size() / 4);
-  for (std::size_t i = 0; i < all.size(); ++i) numbers[i / 4] |= std::uint32_t(all[i]) << 8 * (i % 4);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) // one load where the machine is little endian
+      numbers[i] |= std::uint32_t(static_cast<unsigned char>(all[4 * i + k])) << 8 * k;
   return numbers;
 }
 

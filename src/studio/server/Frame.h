@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace reebquad {
@@ -69,6 +70,8 @@ public:
   std::vector<std::uint32_t> words(const std::string& name) const;
 
 private:
+  std::string_view raw(const std::string& name) const;
+
   const std::string& m_message;
   std::size_t m_payload;
 };

@@ -123,6 +123,7 @@ void Hub::add(const std::shared_ptr<Client>& client) {
 
 void Hub::remove(const std::shared_ptr<Client>& client) {
   m_clients.erase(client);
+  finish(); // where it was dragging, nothing follows
 }
 
 // Who waits is told at once; the worker stops as soon as it notices.
@@ -133,7 +134,7 @@ void Hub::cancel() {
   for (const auto& [number, reply] : owed) reply(make_error(Error_code::cancelled, "cancelled"));
 }
 
-void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool replaceable, bool replaces) {
+void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, const Standing& standing) {
   const std::int64_t number = m_next_owed++;
   m_owed[number] = std::move(reply);
   const auto done = [this, number](const Result<Json>& result) {
@@ -144,16 +145,18 @@ void Hub::enqueue(Task task, std::function<void(Result<Json>)> reply, bool repla
     answer(result);
   };
   // The reply follows the picture: when a page learns that its edit is done it has been sent what changed.
-  const auto job = [this, task = std::move(task), done](Worker::Observer& observer) {
+  const bool is_live = standing.live_drag != 0;
+  const auto job = [this, task = std::move(task), done, is_live](Worker::Observer& observer) {
     Result<Json> result = task(*m_session, observer);
     publish_from_worker();
     m_post([done, result = std::move(result)] { done(result); });
-    if (!m_session->is_finished()) m_post([this] { finish(); });
+    // The next one of a drag is not to wait for the end of this one.
+    if (!is_live && !m_session->is_finished()) m_post([this] { finish(); });
   };
   const auto failed = [this, done](const std::string& what) {
     m_post([done, what] { done(make_error(Error_code::internal_error, "the work failed: " + what)); });
   };
-  if (!m_worker->push(job, failed, replaceable, replaces))
+  if (!m_worker->push(job, failed, standing.replaceable, standing.replaces, standing.live_drag))
     done(make_error(Error_code::impossible_request, "too many requests wait; this one is dropped"));
 }
 
@@ -201,11 +204,13 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
     });
     return Json::object();
   };
-  const bool replaceable =
-      request.command == Command::preview || request.command == Command::hints || is_live(request.body);
+  const bool live = request.command == Command::edit && is_live(request.body);
+  Standing standing;
+  standing.replaceable = request.command == Command::preview || request.command == Command::hints || live;
   // Only looking makes nothing out of date.
-  const bool replaces = request.command != Command::chart && request.command != Command::list_files;
-  enqueue(task, reply, replaceable, replaces);
+  standing.replaces = request.command != Command::chart && request.command != Command::list_files;
+  if (live) standing.live_drag = integer(request.body, "drag");
+  enqueue(task, reply, standing);
 }
 
 void Hub::open_file(const std::string& name) {

@@ -42,8 +42,13 @@ public:
 private:
   using Task = std::function<Result<Json>(Session&, Worker::Observer&)>;
   void start(const std::weak_ptr<Client>& client, const Request& request);
-  void enqueue(Task task, std::function<void(Result<Json>)> done, bool replaceable = false,
-               bool replaces = true);
+  /// How a task stands to others.
+  struct Standing {
+    bool replaceable = false, replaces = true;
+    std::int64_t live_drag = 0; ///< of an edit while dragging; see `Worker::push()`
+  };
+  void enqueue(Task task, std::function<void(Result<Json>)> done) { enqueue(task, done, Standing()); }
+  void enqueue(Task task, std::function<void(Result<Json>)> done, const Standing& standing);
   void cancel();
   void finish();
   /// Tells the pages the session as it is; called by the worker's thread.

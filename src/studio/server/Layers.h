@@ -17,11 +17,13 @@ using Layers = std::map<std::string, std::shared_ptr<const std::string>>;
 /// A surface with contours cut in, and what is drawn on it.
 struct Charted_surface {
   const CGAL::Reeb_quadrangulation::Triangle_surface& base; ///< before the cuts
-  const CGAL::Reeb_quadrangulation::Embedding& embedding;
+  const CGAL::Reeb_quadrangulation::Embedding& embedding;   ///< its surface and base faces
   const CGAL::Reeb_quadrangulation::Contour_network& network;
   const CGAL::Reeb_quadrangulation::Reeb_graph& graph;
   const std::vector<int>& chart_of_face;
   const std::vector<double>& values; ///< the field at the vertices of `embedding`
+  /// What `line_of_chart()` gives for each chart, where it is known already.
+  const std::vector<std::vector<CGAL::Reeb_quadrangulation::Point>>* lines = nullptr;
 };
 
 /// What the layers are made of; a null pointer stands for what there is not yet.

@@ -192,6 +192,7 @@ Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t dr
   if (!done) {
     // The edit before is back, unless this one was stopped when it had taken its place already.
     if (replaces && !work()->redo()) changed(watch.milliseconds(), "stopped dragging");
+    if (replaces && !live && m_keeps) save();
     return done;
   }
   part()->took(watch.milliseconds());

@@ -13,38 +13,45 @@ namespace {
 
 constexpr int bands = 14;
 
-/// The area of triangles and the sum of their centroids by bands of the field, chart by chart.
-struct Bands {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  std::vector<Point> sum = std::vector<Point>(bands, Point::Zero());
-  std::vector<double> area = std::vector<double>(bands, 0);
-};
+double mean(const std::vector<double>& values, const Triangle& t) {
+  return (values[t[0]] + values[t[1]] + values[t[2]]) / 3;
+}
 
-std::vector<Bands> measure(const Charted_surface& charted) {
-  const Triangle_surface& surface = charted.embedding.surface;
-  const std::vector<double>& values = charted.values;
-  std::vector<Bands> charts(charted.graph.arcs.size());
-  const auto mean = [&](const Triangle& t) { return (values[t[0]] + values[t[1]] + values[t[2]]) / 3; };
-  for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int chart = charted.chart_of_face[f];
-    if (chart < 0) continue;
-    const double value = mean(surface.triangles[f]);
-    charts[chart].low = std::min(charts[chart].low, value);
-    charts[chart].high = std::max(charts[chart].high, value);
+/// The centroids of triangles by bands of the field.
+std::vector<Point> banded(const std::vector<Point>& points, const std::vector<const Triangle*>& triangles,
+                          const std::vector<double>& values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Triangle* t : triangles) {
+    low = std::min(low, mean(values, *t));
+    high = std::max(high, mean(values, *t));
   }
-  for (int f = 0; f < surface.number_of_faces(); ++f) {
-    const int chart = charted.chart_of_face[f];
-    if (chart < 0) continue;
-    Bands& b = charts[chart];
-    const Triangle& t = surface.triangles[f];
-    const Point &p = surface.points[t[0]], &q = surface.points[t[1]], &r = surface.points[t[2]];
-    const double part = b.low < b.high ? (mean(t) - b.low) / (b.high - b.low) : 0.5;
+  std::vector<Point> sum(bands, Point::Zero());
+  std::vector<double> area(bands, 0);
+  for (const Triangle* t : triangles) {
+    const Point &p = points[(*t)[0]], &q = points[(*t)[1]], &r = points[(*t)[2]];
+    const double part = low < high ? (mean(values, *t) - low) / (high - low) : 0.5;
     const int band = std::clamp(int(bands * part), 0, bands - 1);
     const double weight = (q - p).cross(r - p).norm();
-    b.sum[band] += weight * (p + q + r) / 3;
-    b.area[band] += weight;
+    sum[band] += weight * (p + q + r) / 3;
+    area[band] += weight;
   }
-  return charts;
+  std::vector<Point> line;
+  for (int band = 0; band < bands; ++band)
+    if (area[band] > 0) line.push_back(sum[band] / area[band]);
+  return line;
+}
+
+/// Of all charts.
+std::vector<std::vector<Point>> measure(const Charted_surface& charted) {
+  const Triangle_surface& surface = charted.embedding.surface;
+  std::vector<std::vector<const Triangle*>> triangles(charted.graph.arcs.size());
+  for (int f = 0; f < surface.number_of_faces(); ++f)
+    if (const int chart = charted.chart_of_face[f]; chart >= 0)
+      triangles[chart].push_back(&surface.triangles[f]);
+  std::vector<std::vector<Point>> lines;
+  for (const std::vector<const Triangle*>& chart : triangles)
+    lines.push_back(banded(surface.points, chart, charted.values));
+  return lines;
 }
 
 /// Each inner point moves to the mean of itself and its neighbours, a few times.
@@ -78,15 +85,20 @@ std::vector<Point> node_positions(const Charted_surface& charted) {
 
 } // namespace
 
+std::vector<Point> line_of_chart(const Triangle_surface& mesh, const std::vector<double>& values) {
+  std::vector<const Triangle*> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) triangles.push_back(&t);
+  return banded(mesh.points, triangles, values);
+}
+
 Skeleton skeleton(const Charted_surface& charted) {
   Skeleton result;
   const Reeb_graph& graph = charted.graph;
   result.nodes = node_positions(charted);
-  const std::vector<Bands> charts = measure(charted);
-  for (std::size_t c = 0; c < charts.size(); ++c) {
-    std::vector<Point> line;
-    for (int band = 0; band < bands; ++band)
-      if (charts[c].area[band] > 0) line.push_back(charts[c].sum[band] / charts[c].area[band]);
+  const std::vector<std::vector<Point>> lines = charted.lines ? *charted.lines : measure(charted);
+  for (std::size_t c = 0; c < lines.size(); ++c) {
+    std::vector<Point> line = lines[c];
     Point &low = result.nodes[graph.arcs[c].low], &high = result.nodes[graph.arcs[c].high];
     if (!line.empty() && !low.allFinite()) low = line.front();
     if (!line.empty() && !high.allFinite()) high = line.back();

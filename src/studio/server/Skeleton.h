@@ -13,6 +13,10 @@ struct Skeleton {
   std::vector<std::vector<CGAL::Reeb_quadrangulation::Point>> arcs; ///< one for each chart, from node to node
 };
 
+/// The middles of the field's levels between the ends of a chart, of its triangles. O(their number)
+std::vector<CGAL::Reeb_quadrangulation::Point>
+line_of_chart(const CGAL::Reeb_quadrangulation::Triangle_surface& mesh, const std::vector<double>& values);
+
 /// O(size of the charts).
 Skeleton skeleton(const Charted_surface& charted);
 

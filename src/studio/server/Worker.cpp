@@ -43,16 +43,20 @@ Worker::~Worker() {
   m_thread.join();
 }
 
-bool Worker::push(Job job, Failed failed, bool replaceable, bool replaces) {
+bool Worker::push(Job job, Failed failed, bool replaceable, bool replaces, std::int64_t drag) {
   const std::lock_guard<std::mutex> lock(m_mutex);
   if (m_queue.size() >= longest_queue) return false;
-  if (replaces && m_running && m_running->replaceable) m_running->cancelled = true;
+  const auto goes = [&](const Entry& entry) {
+    return replaces && entry.replaceable && (drag == 0 || entry.drag != drag);
+  };
+  if (m_running && goes(*m_running)) m_running->cancelled = true;
   for (const auto& waiting : m_queue)
-    if (replaces && waiting->replaceable) waiting->cancelled = true;
+    if (goes(*waiting)) waiting->cancelled = true;
   auto entry = std::make_shared<Entry>();
   entry->job = std::move(job);
   entry->failed = std::move(failed);
   entry->replaceable = replaceable;
+  entry->drag = drag;
   m_queue.push_back(std::move(entry));
   m_wake.notify_all();
   return true;

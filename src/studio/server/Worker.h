@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -31,8 +32,9 @@ public:
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// A job that is `replaceable` is cancelled when the next job comes that `replaces`. False if too many jobs wait.
-  bool push(Job job, Failed failed, bool replaceable = false, bool replaces = true);
+  /// A job that is `replaceable` is cancelled when the next job comes that `replaces`; but of those with the same `drag`, if that is
+  /// not 0, each is carried out, so that all of them can be seen. False if too many jobs wait.
+  bool push(Job job, Failed failed, bool replaceable = false, bool replaces = true, std::int64_t drag = 0);
   /// Asks the running job and all that wait to stop; they still run, and see that they are cancelled.
   void cancel();
 
@@ -42,6 +44,7 @@ private:
     Job job;
     Failed failed;
     bool replaceable = false;
+    std::int64_t drag = 0;
     std::atomic<bool> cancelled{false};
   };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Workpiece.h"
 
-#include "Design_field.h"
-
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 
@@ -91,7 +89,8 @@ Json chart_json(const Design_chart& chart) {
 
 } // namespace
 
-Workpiece::Workpiece(Editor editor, const Point& origin) : m_editor(std::move(editor)), m_origin(origin) {
+Workpiece::Workpiece(Editor editor, const Point& origin)
+    : m_editor(std::move(editor)), m_drawing(m_editor.working_surface()), m_origin(origin) {
   Layer_source source;
   source.surface = &m_editor.working_surface();
   source.origin = m_origin;
@@ -190,15 +189,9 @@ Layers Workpiece::layers() {
   source.origin = m_origin;
   for (const auto& chart : design.charts) source.chart_ids.push_back(chart->id);
   if (m_designed.empty()) {
-    const Embedded_design embedded = embed_design(m_editor.working_surface(), design);
     const Reeb_graph graph = reeb_graph(design.atlas, design.network);
-    const std::vector<double> values = design_field(design, embedded.embedding);
-    const Charted_surface charted{m_editor.working_surface(),
-                                  embedded.embedding,
-                                  design.network,
-                                  graph,
-                                  embedded.chart_of_face,
-                                  values};
+    m_drawing.update(design);
+    const Charted_surface charted = m_drawing.charted(design, graph);
     source.charted = &charted;
     source.extrema = design.extrema;
     source.counts = design.samples.counts;

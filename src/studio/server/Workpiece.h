@@ -2,7 +2,7 @@
 #ifndef REEBQUAD_STUDIO_WORKPIECE_H
 #define REEBQUAD_STUDIO_WORKPIECE_H
 
-#include "Layers.h"
+#include "Design_drawing.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/pole_fans.h>
@@ -62,6 +62,7 @@ private:
   void stitch();
 
   CGAL::Reeb_quadrangulation::Editor m_editor;
+  Design_drawing m_drawing; ///< of the design as the layers show it
   CGAL::Reeb_quadrangulation::Point m_origin;
   Layers m_surface; ///< the layer of the surface, which no edit changes
   Layers

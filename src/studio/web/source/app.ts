@@ -97,6 +97,11 @@ export class App {
     this.drags.send(edit, live);
   }
 
+  /** The pointer was let go where nothing is: what was dragged stays where it was last. */
+  endDrag(): void {
+    this.drags.end();
+  }
+
   tell(error: unknown): void {
     if (error instanceof RequestError && error.failure.cancelled) return this.toasts.show("Stopped", "Everything is as it was before.");
     const message = error instanceof Error ? error.message : String(error);

@@ -104,7 +104,17 @@ function renamed(old: Uint8Array | Uint32Array, message: Frame, name: string): U
   const from = message.arrays.get(`${name}.from`), to = message.arrays.get(`${name}.to`);
   if (!from || !to) return old;
   const names = new Map(Array.from(from, (value, i) => [value, to[i]!]));
-  return old.map((value: number) => names.get(value) ?? value);
+  const out = old.slice();
+  let last = out[0], now = names.get(last!) ?? last!; // the same number mostly stands many times in a row
+  for (let i = 0; i < out.length; ++i) {
+    const value = out[i]!;
+    if (value !== last) {
+      last = value;
+      now = names.get(value) ?? value;
+    }
+    out[i] = now;
+  }
+  return out;
 }
 
 /** An array of a frame that must be there. */

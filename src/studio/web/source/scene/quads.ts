@@ -21,6 +21,11 @@ export class Quads {
   private readonly markerMaterial = markerMaterial();
   private lit: ((quality: number) => boolean) | null = null;
   private colour: QuadColour = "plain";
+  private showsFaces = false;
+  private showsValences = false;
+  private isPainted = false;
+  /** The layer, if it is newer than what is drawn. */
+  private fresh: Frame | null = null;
   plain: Rgb = [0.88, 0.86, 0.82];
 
   constructor() {
@@ -31,6 +36,9 @@ export class Quads {
     this.group.add(this.faces, this.edges.object);
   }
 
+  private get shows(): boolean {
+    return this.showsFaces || this.showsValences;
+  }
   get isEmpty(): boolean {
     return this.corners.length === 0;
   }
@@ -45,24 +53,37 @@ export class Quads {
     this.corners = indices(frame, "quad") as Uint32Array<ArrayBuffer>;
     this.quality = floats(frame, "quality") as Float32Array<ArrayBuffer>;
     this.charts = integers(frame, "chart") as Int32Array<ArrayBuffer>;
-    this.makeFaces();
-    this.edges.set(edgePairs(this.positions, this.corners));
-    this.makeMarkers(indices(frame, "irregular_vertex"), bytesOf(frame, "irregular_valence"), bytesOf(frame, "irregular_on_boundary"));
-    this.paint();
+    this.fresh = frame;
+  }
+
+  /** Brings what is drawn up to date, if it is seen; called before a picture. */
+  update(): void {
+    if (!this.shows || this.isEmpty) return;
+    if (this.fresh) {
+      const frame = this.fresh;
+      this.fresh = null;
+      this.makeFaces();
+      this.edges.set(edgePairs(this.positions, this.corners));
+      this.makeMarkers(indices(frame, "irregular_vertex"), bytesOf(frame, "irregular_valence"), bytesOf(frame, "irregular_on_boundary"));
+      this.isPainted = false;
+      this.show(this.showsFaces, this.showsValences);
+    }
+    if (!this.isPainted) this.paint();
   }
 
   setColour(colour: QuadColour): void {
+    if (this.colour !== colour) this.isPainted = false;
     this.colour = colour;
-    this.paint();
   }
 
   /** Lets only the quads shine whose quality passes; null: all. */
   light(lit: ((quality: number) => boolean) | null): void {
     this.lit = lit;
-    this.paint();
+    this.isPainted = false;
   }
 
   show(faces: boolean, valences: boolean): void {
+    [this.showsFaces, this.showsValences] = [faces, valences];
     this.faces.visible = faces && !this.isEmpty;
     this.edges.show(faces && !this.isEmpty);
     if (this.irregular) this.irregular.visible = valences && !this.isEmpty;
@@ -70,6 +91,7 @@ export class Quads {
 
   setXray(on: boolean): void {
     const material = this.faces.material;
+    if (material.transparent === on) return;
     material.uniforms.opacity!.value = on ? 0.12 : 1;
     material.transparent = on;
     material.depthWrite = !on;
@@ -114,6 +136,7 @@ export class Quads {
   }
 
   private paint(): void {
+    this.isPainted = true;
     const attribute = this.faces.geometry.getAttribute("colour") as THREE.BufferAttribute | undefined;
     if (!attribute) return;
     for (let q = 0; q < this.quality.length; ++q) {

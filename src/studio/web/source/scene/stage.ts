@@ -55,7 +55,10 @@ export class Stage {
     this.contourLines.object.renderOrder = 2;
     this.reebLines.object.renderOrder = 7;
     this.chosenContour.object.renderOrder = 6;
-    viewport.onRender.push(() => this.surface.update());
+    viewport.onRender.push(() => {
+      this.surface.update();
+      this.quads.update();
+    });
     viewport.scene.add(
       this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );

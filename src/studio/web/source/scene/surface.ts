@@ -100,20 +100,14 @@ export class Surface {
     this.stale = false;
     const charts = this.mesh.geometry.getAttribute("chart") as THREE.BufferAttribute | undefined;
     if (!charts) return;
-    const chartOfCorner = charts.array as Float32Array;
-    for (let f = 0; f < this.triangles.length / 3; ++f) chartOfCorner.fill(this.chartOfFace[f] ?? -1, 3 * f, 3 * f + 3);
-    for (const f of this.cuts.base) chartOfCorner.fill(hidden, 3 * f, 3 * f + 3);
-    charts.needsUpdate = true;
+    const faces = this.triangles.length / 3;
+    const ofFace = this.chartOfFace.length === faces ? new Float32Array(this.chartOfFace) : new Float32Array(faces).fill(-1);
+    for (const f of this.cuts.base) ofFace[f] = hidden;
+    assign(charts, (corner) => ofFace[(corner / 3) | 0]!);
     if (this.hasField) {
-      const field = this.mesh.geometry.getAttribute("field") as THREE.BufferAttribute;
-      spreadInto(field.array as Float32Array, this.values, this.triangles, 1);
-      field.needsUpdate = true;
-      let low = Infinity, high = -Infinity;
-      for (const values of [this.values, this.cuts.value])
-        for (const value of values) {
-          low = Math.min(low, value);
-          high = Math.max(high, value);
-        }
+      const { values, triangles } = this;
+      assign(this.mesh.geometry.getAttribute("field") as THREE.BufferAttribute, (corner) => values[triangles[corner]!]!);
+      const [low, high] = rangeOf(this.values, this.cuts.value);
       this.material.uniforms.lowest!.value = low;
       this.material.uniforms.highest!.value = high;
     }
@@ -126,6 +120,7 @@ export class Surface {
   }
 
   setXray(on: boolean): void {
+    if (this.material.transparent === on) return;
     this.material.uniforms.opacity!.value = on ? 0.16 : 1;
     this.material.transparent = on;
     this.material.depthWrite = !on;
@@ -278,6 +273,33 @@ export class Surface {
     this.picking.raycast = acceleratedRaycast;
     return this.picking;
   }
+}
+
+/** Sets all numbers of an attribute; what is between the first and the last that changed is sent to the graphics processor. */
+function assign(attribute: THREE.BufferAttribute, value: (index: number) => number): void {
+  const array = attribute.array as Float32Array;
+  let first = -1, last = -1;
+  for (let i = 0; i < array.length; ++i) {
+    const now = value(i);
+    if (array[i] === now) continue;
+    array[i] = now;
+    if (first < 0) first = i;
+    last = i;
+  }
+  if (first < 0) return;
+  attribute.addUpdateRange(first, last - first + 1);
+  attribute.needsUpdate = true;
+}
+
+function rangeOf(...arrays: Float32Array[]): [number, number] {
+  let low = Infinity, high = -Infinity;
+  for (const values of arrays)
+    for (let i = 0; i < values.length; ++i) {
+      const value = values[i]!;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  return [low, high];
 }
 
 function spreadInto(out: Float32Array, values: Float32Array, index: Uint32Array, size: number): void {

@@ -43,7 +43,8 @@ export class DragContourTool implements Tool {
 
   private send(event: PointerEvent, live: boolean): void {
     const hit = pick(this.app, event, "surface");
-    if (!hit || !this.grabbed) return;
+    if (!this.grabbed) return;
+    if (!hit) return live ? undefined : this.app.endDrag();
     this.app.dragEdit({ edit: "drag_contour", at: surfacePoint(this.app, this.grabbed.point), to: surfacePoint(this.app, hit.point) }, live);
   }
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits that follow the pointer: at most one is on its way, and all of one drag become one step of the history.
+// Edits that follow the pointer: while the program does one, the next is on its way; all of one drag become one step of the history.
 import type { Connection } from "../net/connection";
 import type { Edit } from "../net/messages";
+
+const mostOnWay = 2;
 
 export class DragEdits {
   private drag = 0;
   private open = false;
-  private onWay = false;
+  private onWay = 0;
   private next: { edit: Edit; live: boolean } | null = null;
+  private last: Edit | null = null;
 
   constructor(private readonly connection: Connection, private readonly tell: (error: unknown) => void) {}
 
@@ -17,22 +20,30 @@ export class DragEdits {
       this.open = true;
       ++this.drag;
     }
+    this.last = edit;
     this.next = { edit, live };
     if (!live) this.open = false;
-    if (!this.onWay) void this.flush();
+    this.flush();
   }
 
-  private async flush(): Promise<void> {
-    this.onWay = true;
-    while (this.next) {
-      const { edit, live } = this.next;
-      this.next = null;
-      try {
-        await this.connection.request("edit", { edit, live, drag: this.drag });
-      } catch (error) {
+  /** Ends a drag where there is no new place: the last one stays. */
+  end(): void {
+    if (this.open && this.last) this.send(this.last, false);
+  }
+
+  private flush(): void {
+    if (!this.next || (this.next.live && this.onWay >= mostOnWay)) return;
+    const { edit, live } = this.next;
+    this.next = null;
+    ++this.onWay;
+    this.connection
+      .request("edit", { edit, live, drag: this.drag })
+      .catch((error: unknown) => {
         if (!live) this.tell(error);
-      }
-    }
-    this.onWay = false;
+      })
+      .finally(() => {
+        --this.onWay;
+        this.flush();
+      });
   }
 }

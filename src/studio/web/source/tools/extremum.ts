@@ -73,7 +73,8 @@ export class ExtremumTool implements Tool {
 
   private send(event: PointerEvent, live: boolean): void {
     const hit = pick(this.app, event, "surface");
-    if (!hit || !this.dragged) return;
+    if (!this.dragged) return;
+    if (!hit) return live ? undefined : this.app.endDrag();
     this.app.dragEdit(
       { edit: "move_extremum", from: surfacePoint(this.app, this.dragged.position), to: surfacePoint(this.app, hit.point), scope: this.scope }, live,
     );
