@@ -283,7 +283,18 @@ TEST_CASE("each part of a file has its own design, and the export joins those th
   CHECK(recipe_from_json(of_torus)->component == 2);
   CHECK(*session.export_quads("obj", desk.observer) == bytes_of(replayed(mesh, of_torus)));
 
+  // The other parts are shown, too, each vertex with the number of its part.
+  const auto parts_shown = [&] {
+    const std::vector<std::uint32_t> parts = Frame_view(*session.layers().at("others")).words("part");
+    return std::set<std::uint32_t>(parts.begin(), parts.end());
+  };
+  CHECK(parts_shown() == std::set<std::uint32_t>{1, 3});
+  const auto others = session.layers().at("others");
+  REQUIRE(session.undo());
+  CHECK(session.layers().at("others") == others);
+  REQUIRE(session.go_to(2));
   REQUIRE(session.choose(1, desk.observer));
+  CHECK(parts_shown() == std::set<std::uint32_t>{2, 3});
   CHECK(session.state()["file"]["genus"] == 0);
   CHECK(session.state()["history"].empty());
   CHECK(!session.layers().count("quads"));

@@ -77,6 +77,45 @@ export class Studio {
     return readFileSync(file, "utf8");
   }
 
+  /**
+   * Turns the camera for some pictures: the milliseconds that the page itself takes for one (the median), without what the graphics
+   * processor does, which is none here; and what is drawn.
+   */
+  costOfPictures(pictures = 40) {
+    return this.page.evaluate(async (pictures) => {
+      const { viewport } = window.studio, { renderer, camera } = viewport, gl = renderer.getContext();
+      const drawing = ["drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced", "clear"];
+      for (const name of drawing) gl[name] = () => {};
+      const times = [], render = renderer.render, frame = viewport.frame;
+      let info;
+      viewport.frame = function (time) {
+        const start = performance.now(), more = frame.call(this, time);
+        times.push(performance.now() - start);
+        return more;
+      };
+      renderer.render = function (...all) {
+        render.apply(this, all);
+        info ??= { ...this.info.render };
+      };
+      for (let i = 0; i < pictures; ++i) {
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        camera.position.applyAxisAngle(camera.up, 0.02);
+        viewport.invalidate();
+      }
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      delete viewport.frame;
+      renderer.render = render;
+      for (const name of drawing) delete gl[name];
+      times.sort((a, b) => a - b);
+      return { milliseconds: times[times.length >> 1], pictures: times.length, calls: info.calls, triangles: info.triangles, points: info.points };
+    }, pictures);
+  }
+
+  /** Turns on exactly these layers. */
+  layers(...ids) {
+    return this.page.evaluate((ids) => window.studio.store.set("layers", new Set(ids)), ids);
+  }
+
   /** A built-in shape as a file in the folder. */
   shape(name, triangles) {
     const file = this.path(`${name}.off`);

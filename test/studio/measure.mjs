@@ -70,17 +70,37 @@ async function timeOf(action) {
   return times;
 }
 
-/** Presses at a place, moves for two seconds and lets go: how often the picture follows, and the end of it. */
+/** Presses at a place, moves with every picture for three seconds and lets go: how often the design follows, and the end of it. */
 async function dragged(what, { x, y }, dx, dy) {
   await page.mouse.move(x, y);
   await page.mouse.down();
-  const first = (await studio.state()).revision, start = Date.now();
-  for (let i = 1; i <= 40; ++i) {
-    await page.mouse.move(x + dx * i, y + dy * i);
-    await page.waitForTimeout(50);
-  }
-  const steps = (await studio.state()).revision - first;
-  print(`dragging ${what}`, `${(steps / (Date.now() - start) * 1000).toFixed(1)} updates a second`);
+  const { updates, edits, busy } = await page.evaluate(async ({ x, y, dx, dy }) => {
+    const { store, connection, stage } = window.studio, take = Object.getPrototypeOf(connection).take;
+    let updates = 0, busy = 0, edits = 0;
+    store.watch(["state"], () => {
+      ++updates;
+      edits += store.get("state").last.milliseconds;
+    });
+    connection.take = function (data) {
+      const start = performance.now();
+      take.call(this, data);
+      busy += performance.now() - start;
+    };
+    const start = performance.now();
+    [updates, edits] = [0, 0];
+    for (let i = 1; performance.now() - start < 3000; ++i) {
+      const at = 20 * Math.sin(i / 40); // there and back
+      window.dispatchEvent(new PointerEvent("pointermove", { clientX: x + dx * at, clientY: y + dy * at, buttons: 1 }));
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const begun = performance.now();
+      stage.surface.update();
+      busy += performance.now() - begun;
+    }
+    delete connection.take;
+    const seconds = (performance.now() - start) / 1000;
+    return { updates: updates / seconds, edits: edits / updates, busy: busy / updates };
+  }, { x, y, dx, dy });
+  print(`dragging ${what}`, `${updates.toFixed(1)} updates a second; of one, the edit ${ms(edits)}, the page ${ms(busy)}`);
   await timed(`end of dragging ${what}`, () => page.mouse.up());
 }
 

@@ -298,7 +298,7 @@ void Hub::publish() {
 void Hub::send_layers(Client& client) const {
   // The surface first: other layers give values to its vertices and faces.
   constexpr std::array order{"surface",  "cuts", "field",    "charts", "contours",
-                             "critical", "reeb", "textures", "quads"};
+                             "critical", "reeb", "textures", "quads",  "others"};
   for (const char* name : order) {
     const auto current = m_layers.find(name);
     const auto bytes = current == m_layers.end() ? nullptr : current->second;

@@ -133,6 +133,21 @@ Polygon_soup joined_polygons(const Parts& parts) {
   return all;
 }
 
+std::shared_ptr<const std::string> others_layer(const Parts& parts, std::size_t chosen, const Point& origin) {
+  Triangle_surface all;
+  std::vector<std::uint32_t> part_of_point;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i == chosen) continue;
+    append(all, parts[i]->surface());
+    part_of_point.resize(all.points.size(), std::uint32_t(i + 1));
+  }
+  Frame frame("others");
+  frame.add_points("position", all.points, origin);
+  frame.add_indices("triangle", all.triangles);
+  frame.add("part", part_of_point);
+  return frame.encode();
+}
+
 Measured_parts measure_together(const Parts& parts, const Observer& observer) {
   Quad_mesh quads, paired;
   Triangle_surface surface;

@@ -69,6 +69,10 @@ using Parts = std::vector<std::unique_ptr<Part>>;
 /// The quads and fans of all parts that have some, one after the other.
 CGAL::Reeb_quadrangulation::Polygon_soup joined_polygons(const Parts& parts);
 
+/// The layer "others": the surfaces of all parts but one. Points are relative to `origin`.
+std::shared_ptr<const std::string> others_layer(const Parts& parts, std::size_t chosen,
+                                                const CGAL::Reeb_quadrangulation::Point& origin);
+
 /// The certificate and the statistics of all parts that have quads, as of one mesh.
 struct Measured_parts {
   CGAL::Reeb_quadrangulation::Certificate certificate;

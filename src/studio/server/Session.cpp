@@ -121,6 +121,8 @@ Result<void> Session::open(Saved_session origin, const std::string& bytes, Obser
     if (Result<void> kept = m_store.save_upload(origin, bytes); !kept) return kept;
   m_parts = std::move(parts);
   m_part = largest;
+  m_centre = centre;
+  m_others_of = nullptr;
   m_saved = std::move(origin);
   Json mends = Json::array(), refused = Json::array();
   for (const Mend& mend : mended->mends) mends.push_back(mend.text);
@@ -303,7 +305,12 @@ Result<void> Session::certify(Observer& observer) {
 }
 
 const Layers& Session::layers() {
-  if (m_layers_are_stale) m_layers = work() ? work()->layers() : Layers();
+  if (!m_layers_are_stale) return m_layers;
+  const auto others = m_layers.find("others");
+  const auto kept = others != m_layers.end() && m_others_of == part() ? others->second : nullptr;
+  m_layers = work() ? work()->layers() : Layers();
+  if (m_parts.size() > 1) m_layers["others"] = kept ? kept : others_layer(m_parts, m_part, m_centre);
+  m_others_of = part();
   m_layers_are_stale = false;
   return m_layers;
 }

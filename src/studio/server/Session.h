@@ -78,7 +78,10 @@ private:
   bool m_keeps = true;   ///< saves what changes
   Json m_file = nullptr; ///< what is said about the mesh that is open
   Json m_last = nullptr;
+  CGAL::Reeb_quadrangulation::Point m_centre =
+      CGAL::Reeb_quadrangulation::Point::Zero(); ///< of the file: the origin of all layers
   Layers m_layers;
+  const Part* m_others_of = nullptr; ///< the part that the layer of the others is without
   bool m_layers_are_stale = true;
   std::int64_t m_revision = 0;
   std::int64_t m_drag = 0; ///< that the last edit belongs to

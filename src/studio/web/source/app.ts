@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { Connection, RequestError } from "./net/connection";
 import type { Edit, FileFacts, State } from "./net/messages";
 import { layerList, switched, type ViewId } from "./scene/layers";
+import { PlaceMark } from "./scene/place_mark";
 import { Stage } from "./scene/stage";
 import { Viewport } from "./scene/viewport";
 import { Store } from "./store";
@@ -35,6 +36,9 @@ import { Toasts } from "./ui/toasts";
 import { showView, viewsBar } from "./ui/views_bar";
 import { welcome } from "./ui/welcome";
 
+/** Commands after which an earlier failure is of no interest. */
+const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "component"]);
+
 export class App {
   readonly store = new Store();
   readonly toasts: Toasts;
@@ -44,6 +48,7 @@ export class App {
   readonly tools: ToolBox;
   readonly chartView: ChartView;
   private readonly drags: DragEdits;
+  private findingMark: PlaceMark | null = null;
   private readonly hintsHost = h("div", {});
   /** The file and the part of it that is shown. */
   private shown = "";
@@ -66,6 +71,7 @@ export class App {
     this.toasts = new Toasts(document.body);
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
+    this.findingMark = new PlaceMark(this.viewport);
     this.tools = new ToolBox(this, overlay);
     this.chartView = new ChartView(this);
     overlay.append(this.chartView.panel);
@@ -81,7 +87,9 @@ export class App {
   /** Sends a request and tells the user if it fails; null then. */
   async ask(command: string, members: Record<string, unknown> = {}): Promise<unknown> {
     try {
-      return await this.connection.request(command, members);
+      const result = await this.connection.request(command, members);
+      if (changes.has(command)) this.toasts.forgive();
+      return result;
     } catch (error) {
       this.tell(error);
       return null;
@@ -163,7 +171,7 @@ export class App {
     if (name && shown !== this.shown) {
       this.tools.escape();
       setTimeout(() => this.stage.surface.prepare(), 500);
-      this.viewport.fit(this.stage.surface.positions);
+      this.viewport.fit(this.stage.surface.positions, this.shown.endsWith(` ${name}`));
       if (!this.shown.endsWith(` ${name}`)) this.tellOfFile(state.file!);
     }
     if (hasQuads && !this.hadQuads) this.setView("quads");
@@ -252,7 +260,9 @@ export class App {
       })),
       panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
       panel("Hints", this.hintsHost),
-      panel("Findings", defectsPanel(this.store, (where, radius) => this.viewport.focus(new THREE.Vector3(...where), radius)), false),
+      panel("Findings", defectsPanel(
+        this.store, (where, radius) => this.viewport.focus(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
+      ), false),
     );
     const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), welcome(this.store, openMesh, () => void this.ask("restore")));
     root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));

@@ -6,6 +6,7 @@ import { criticalColours } from "./colours";
 import type { LayerId } from "./layers";
 import { Lines, markers, polylinePairs } from "./lines";
 import { markerMaterial, Shape, SurfaceColour } from "./materials";
+import { Others } from "./others";
 import { edgePairs, Quads } from "./quads";
 import { Surface } from "./surface";
 import type { Viewport } from "./viewport";
@@ -30,6 +31,7 @@ const contourWidth = 3.2;
 export class Stage {
   readonly surface = new Surface();
   readonly quads = new Quads();
+  readonly others = new Others();
   readonly contourLines = new Lines(contourWidth, 0x16181d);
   readonly textureLines = new Lines(1.4, 0x16181d, { opacity: 0.85 });
   readonly chosenContour = new Lines(5, 0xffb454, { hidden: true });
@@ -60,7 +62,7 @@ export class Stage {
       this.quads.update();
     });
     viewport.scene.add(
-      this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.others.mesh, this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 
@@ -75,12 +77,14 @@ export class Stage {
     else if (frame.layer === "reeb") this.setReeb(frame);
     else if (frame.layer === "textures") this.textures = edgePairs(floats(frame, "position"), indices(frame, "quad"));
     else if (frame.layer === "quads") this.quads.set(frame);
+    else if (frame.layer === "others") this.others.set(frame);
     this.show(this.shown);
   }
 
   remove(layer: string): void {
     if (layer === "cuts") this.surface.clearDesign();
     if (layer === "quads") this.quads.clear();
+    if (layer === "others") this.others.clear();
     if (layer === "textures") this.textures = new Float32Array();
     if (layer === "contours") this.clearContours();
     if (layer === "critical") this.removePoints("criticalPoints");
@@ -124,6 +128,10 @@ export class Stage {
     this.surface.material.uniforms.hovered!.value = chart;
     this.viewport.invalidate();
   }
+  setHoveredPart(part: number): void {
+    this.others.hover(part);
+    this.viewport.invalidate();
+  }
   setSelected(chart: number): void {
     this.surface.material.uniforms.selected!.value = chart;
     this.viewport.invalidate();
@@ -143,9 +151,10 @@ export class Stage {
   /** The contour within `pixels` of the pointer, the nearest to the eye's ray. */
   contourAt(event: { clientX: number; clientY: number }, pixels = 10): Contour | null {
     let best: Contour | null = null, nearest = pixels;
+    const box = this.viewport.canvas.getBoundingClientRect();
     for (const contour of this.contours)
       for (const p of contour.points) {
-        const at = this.viewport.project(p);
+        const at = this.viewport.project(p, box);
         const d = Math.hypot(at.x - event.clientX, at.y - event.clientY);
         if (at.visible && d < nearest && this.isInSight(p)) [nearest, best] = [d, contour];
       }

@@ -264,15 +264,21 @@ export class Surface {
   // Built when it is first needed.
   private picker(): THREE.Mesh {
     if (this.picking) return this.picking;
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(this.positions, 3));
-    geometry.setIndex(new THREE.BufferAttribute(this.triangles, 1));
-    // `indirect` keeps the order of the faces.
-    geometry.boundsTree = new MeshBVH(geometry, { indirect: true });
-    this.picking = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
-    this.picking.raycast = acceleratedRaycast;
+    this.picking = searchMesh(this.positions, this.triangles);
     return this.picking;
   }
+}
+
+/** A mesh with a search tree for rays, which is not drawn. */
+export function searchMesh(positions: Float32Array, triangles: Uint32Array): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+  geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+  // `indirect` keeps the order of the faces.
+  geometry.boundsTree = new MeshBVH(geometry, { indirect: true });
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+  mesh.raycast = acceleratedRaycast;
+  return mesh;
 }
 
 /** Sets all numbers of an attribute; what is between the first and the last that changed is sent to the graphics processor. */

@@ -19,7 +19,10 @@ export class Viewport {
   /** Called before each picture. */
   readonly onRender: (() => void)[] = [];
   private wanted = true;
+  /** Whether pictures follow each other; while nothing moves none is made and nothing runs. */
+  private turns = false;
   private radius = 1;
+  private readonly projected = new THREE.Vector3();
   private points: Float32Array = new Float32Array();
   private flight: { from: THREE.Vector3; to: THREE.Vector3; eyeFrom: THREE.Vector3; eyeTo: THREE.Vector3; start: number } | null = null;
 
@@ -39,11 +42,6 @@ export class Viewport {
     this.renderer.domElement.setAttribute("aria-label", "The surface in space");
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
-    const tick = (time: number): void => {
-      this.frame(time);
-      requestAnimationFrame(tick);
-    };
-    requestAnimationFrame(tick);
   }
 
   get canvas(): HTMLCanvasElement {
@@ -53,6 +51,9 @@ export class Viewport {
   /** Asks for a new picture. */
   invalidate(): void {
     this.wanted = true;
+    if (this.turns) return;
+    this.turns = true;
+    requestAnimationFrame(this.turn);
   }
 
   /** Sees all of these points (x, y, z each); from the front and a little from above, or from where it is. */
@@ -128,9 +129,8 @@ export class Viewport {
   }
 
   /** Where a point is on the screen, in pixels of the page. */
-  project(point: THREE.Vector3): { x: number; y: number; visible: boolean } {
-    const p = point.clone().project(this.camera);
-    const box = this.canvas.getBoundingClientRect();
+  project(point: THREE.Vector3, box = this.canvas.getBoundingClientRect()): { x: number; y: number; visible: boolean } {
+    const p = this.projected.copy(point).project(this.camera);
     return { x: box.left + ((p.x + 1) / 2) * box.width, y: box.top + ((1 - p.y) / 2) * box.height, visible: p.z < 1 };
   }
 
@@ -151,12 +151,20 @@ export class Viewport {
     this.invalidate();
   }
 
-  private frame(time: number): void {
+  private readonly turn = (time: number): void => {
+    this.turns = this.frame(time);
+    if (this.turns) requestAnimationFrame(this.turn);
+  };
+
+  /** Makes a picture if it is wanted; whether another one may follow. */
+  private frame(time: number): boolean {
     if (this.flight) this.advance(time);
-    this.controls.update();
-    if (!this.wanted) return;
-    this.wanted = false;
-    this.render();
+    const moves = this.controls.update();
+    if (this.wanted) {
+      this.wanted = false;
+      this.render();
+    }
+    return moves || this.flight !== null || this.wanted;
   }
 
   private render(): void {

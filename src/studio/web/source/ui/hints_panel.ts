@@ -3,8 +3,7 @@ import * as THREE from "three";
 import type { App } from "../app";
 import { RequestError } from "../net/connection";
 import type { Hint, State } from "../net/messages";
-import { markers } from "../scene/lines";
-import { markerMaterial, Shape } from "../scene/materials";
+import { PlaceMark } from "../scene/place_mark";
 import { h, icon, replace } from "./dom";
 import { icons } from "./icons";
 
@@ -14,17 +13,13 @@ const askedAbove = 60000;
 /** Edits that are worth while, with the reason: the pointer on one shows where it is, a click applies it. */
 export class HintsPanel {
   readonly element = h("div", { className: "hint-list" });
-  private readonly mark = new THREE.Group();
-  private readonly material = markerMaterial();
+  private readonly mark: PlaceMark;
   private hints: Hint[] | null = null;
   private asked = -1;
   private busy = false;
 
   constructor(private readonly app: App) {
-    this.material.depthTest = false;
-    this.material.uniforms.size!.value = 26;
-    this.material.uniforms.ratio!.value = Math.min(devicePixelRatio, 2);
-    app.viewport.scene.add(this.mark);
+    this.mark = new PlaceMark(app.viewport);
     app.store.watch(["state"], () => this.follow());
   }
 
@@ -35,7 +30,7 @@ export class HintsPanel {
     if (isNew) {
       this.hints = null;
       this.asked = -1;
-      this.show(null);
+      this.mark.show(null);
     }
     this.draw();
     if (isNew && !this.busy && state?.statistics && state.finished && state.file!.triangles <= askedAbove) void this.ask(state);
@@ -77,25 +72,15 @@ export class HintsPanel {
   private row(hint: Hint): HTMLElement {
     const place = this.placeOf(hint);
     const apply = h(
-      "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: () => this.show(place), onpointerleave: () => this.show(null), onfocus: () => this.show(place), onblur: () => this.show(null) },
+      "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: () => this.mark.show(place), onpointerleave: () => this.mark.show(null), onfocus: () => this.mark.show(place), onblur: () => this.mark.show(null) },
       h("span", {}, hint.reason), h("em", {}, hint.edit.edit.replaceAll("_", " ")),
     );
-    const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.show(place), this.app.viewport.focus(place)) }, icon(icons.eye));
+    const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.mark.show(place), this.app.viewport.focus(place)) }, icon(icons.eye));
     return h("div", { className: "hint-row" }, apply, fly);
   }
 
   private placeOf(hint: Hint): THREE.Vector3 {
     const [x, y, z] = this.app.store.get("state")?.file?.origin ?? [0, 0, 0];
     return new THREE.Vector3(...hint.place).sub(new THREE.Vector3(x, y, z));
-  }
-
-  private show(place: THREE.Vector3 | null): void {
-    for (const child of [...this.mark.children]) this.mark.remove(child);
-    if (place) {
-      const marks = markers(this.material, new Float32Array(place.toArray()), [[1, 0.71, 0.33]], [Shape.disc], [1]);
-      marks.renderOrder = 11;
-      this.mark.add(marks);
-    }
-    this.app.viewport.invalidate();
   }
 }

@@ -25,4 +25,9 @@ export class Toasts {
     while (this.host.children.length > 4) this.host.firstElementChild?.remove();
     setTimeout(() => toast.remove(), mood === "bad" ? 14000 : 5000);
   }
+
+  /** Takes away what was told to have failed: something has worked since. */
+  forgive(): void {
+    for (const toast of this.host.querySelectorAll(".toast.bad")) toast.remove();
+  }
 }

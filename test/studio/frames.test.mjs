@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a picture costs the page at 400,000 triangles. What it costs a graphics processor cannot be measured without one: but that has
+// few things to draw, and the page leaves it nearly all of the 33 ms that a picture may take.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Studio } from "./harness.mjs";
+
+const triangles = 400000, mostMilliseconds = 11, mostCalls = 16;
+let studio;
+before(async () => {
+  studio = await Studio.start();
+  await studio.page.evaluate(() => {
+    const { renderer } = window.studio.viewport;
+    window.draw = renderer.render;
+    renderer.render = () => {}; // software would draw for seconds
+  });
+  await studio.upload(studio.shape("hand", triangles));
+  await studio.suggest();
+  await studio.page.evaluate(() => (window.studio.viewport.renderer.render = window.draw));
+});
+after(() => studio.close());
+
+const combinations = {
+  "the surface": ["surface"],
+  "field, isolines, contours, critical points": ["surface", "field", "isolines", "contours", "critical"],
+  "charts, contours, critical points": ["surface", "charts", "contours", "critical"],
+  "textures on the charts": ["surface", "charts", "contours", "critical", "textures"],
+  "quads with valences": ["quads", "valences"],
+  "quality": ["quads", "quality"],
+  "all that can be shown with the surface, see-through": ["surface", "charts", "isolines", "contours", "critical", "reeb", "textures", "valences", "xray"],
+};
+
+for (const [name, layers] of Object.entries(combinations))
+  test(`a picture of ${name} takes the page a few milliseconds and a few calls`, async (t) => {
+    await studio.layers(...layers);
+    const cost = await studio.costOfPictures();
+    t.diagnostic(`${cost.milliseconds.toFixed(1)} ms, ${cost.calls} draw calls, ${cost.triangles} triangles, ${cost.points} signs`);
+    assert.ok(cost.pictures >= 30, "pictures were made");
+    assert.ok(layers.includes("quads") || cost.triangles >= triangles, "the whole surface is drawn");
+    assert.ok(cost.milliseconds < mostMilliseconds, `${cost.milliseconds} ms`);
+    assert.ok(cost.calls <= mostCalls, `${cost.calls} draw calls`);
+  });
+
+test("while nothing moves, nothing is drawn and nothing runs", async () => {
+  await studio.settle();
+  const frames = await studio.page.evaluate(async () => {
+    const { viewport } = window.studio, { frame } = viewport;
+    const until = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+    let frames = 0;
+    viewport.frame = function (time) {
+      ++frames;
+      return frame.call(this, time);
+    };
+    await until(600);
+    const idle = frames;
+    viewport.invalidate();
+    await until(1500);
+    delete viewport.frame;
+    return { idle, asked: frames - idle };
+  });
+  assert.equal(frames.idle, 0);
+  assert.ok(frames.asked >= 1 && frames.asked <= 2, "one picture, when it is asked for");
+});
+
+test("the pointer over the surface and its contours is answered within a picture's time", async () => {
+  const milliseconds = await studio.page.evaluate(() => {
+    const { stage, viewport } = window.studio, box = viewport.canvas.getBoundingClientRect(), times = [];
+    stage.surface.prepare();
+    for (let i = 0; i < 40; ++i) {
+      const at = { clientX: box.left + (box.width * (i % 8)) / 8, clientY: box.top + (box.height * Math.floor(i / 8)) / 5 };
+      const start = performance.now();
+      stage.surface.pick(viewport.ray(at));
+      stage.contourAt(at);
+      times.push(performance.now() - start);
+    }
+    return times.sort((a, b) => a - b)[20];
+  });
+  assert.ok(milliseconds < 16, `${milliseconds} ms`);
+});
+
+test("the page reported no errors", () => assert.deepEqual(studio.errors, []));
