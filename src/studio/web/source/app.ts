@@ -110,6 +110,11 @@ export class App {
     this.drags.end();
   }
 
+  /** Looks at a place of the surface from outside. */
+  flyTo(place: THREE.Vector3, distance?: number): void {
+    this.viewport.focus(place, distance, this.stage.surface.normalAt(place));
+  }
+
   tell(error: unknown): void {
     if (error instanceof RequestError && error.failure.cancelled) return this.toasts.show("Stopped", "Everything is as it was before.");
     const message = error instanceof Error ? error.message : String(error);
@@ -261,7 +266,7 @@ export class App {
       panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
       panel("Hints", this.hintsHost),
       panel("Findings", defectsPanel(
-        this.store, (where, radius) => this.viewport.focus(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
+        this.store, (where, radius) => this.flyTo(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
       ), false),
     );
     const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), welcome(this.store, openMesh, () => void this.ask("restore")));

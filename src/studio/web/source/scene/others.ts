@@ -6,19 +6,22 @@ import { surfaceMaterial } from "./materials";
 import { searchMesh, vertexNormals } from "./surface";
 
 export class Others {
-  readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial());
+  readonly group = new THREE.Group();
+  readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), ghost());
+  /** Only their depth, before they are drawn: so what is behind their front does not shine through in patches. */
+  private readonly front = new THREE.Mesh(this.mesh.geometry, ghost());
   private partOfVertex: Uint32Array = new Uint32Array();
   private triangles: Uint32Array = new Uint32Array();
   private search: THREE.Mesh | null = null;
 
   constructor() {
-    const { material } = this.mesh;
-    material.uniforms.opacity!.value = 0.2;
-    material.transparent = true;
-    material.depthWrite = false;
-    this.mesh.renderOrder = -1; // behind what is worked on, which hides it
-    this.mesh.frustumCulled = false;
-    this.mesh.visible = false;
+    this.front.material.colorWrite = false;
+    this.front.material.depthWrite = true;
+    this.front.renderOrder = 12; // after all that is worked on, which they hide nothing of
+    this.mesh.renderOrder = 13;
+    this.mesh.frustumCulled = this.front.frustumCulled = false;
+    this.group.add(this.front, this.mesh);
+    this.group.visible = false;
   }
 
   /** The number of the part takes the place of a chart: so the one under the pointer lights up. */
@@ -41,7 +44,7 @@ export class Others {
 
   /** The number of the part that the ray meets first, from 1; 0 if it meets none. */
   pick(ray: THREE.Raycaster): number {
-    if (!this.mesh.visible) return 0;
+    if (!this.group.visible) return 0;
     this.search ??= searchMesh(this.mesh.geometry.getAttribute("position").array as Float32Array, this.triangles);
     ray.firstHitOnly = true;
     const [hit] = ray.intersectObject(this.search, false);
@@ -54,9 +57,17 @@ export class Others {
 
   private replace(geometry: THREE.BufferGeometry, visible: boolean): void {
     this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
-    this.mesh.visible = visible;
+    this.mesh.geometry = this.front.geometry = geometry;
+    this.group.visible = visible;
     this.search = null;
     this.hover(0);
   }
+}
+
+function ghost(): THREE.ShaderMaterial {
+  const material = surfaceMaterial();
+  material.uniforms.opacity!.value = 0.2;
+  material.transparent = true;
+  material.depthWrite = false;
+  return material;
 }

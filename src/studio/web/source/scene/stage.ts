@@ -62,7 +62,7 @@ export class Stage {
       this.quads.update();
     });
     viewport.scene.add(
-      this.others.mesh, this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.others.group, this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 

@@ -202,6 +202,13 @@ export class Surface {
     return new Float32Array(out);
   }
 
+  /** The normal where the surface is nearest to a point. */
+  normalAt(point: THREE.Vector3): THREE.Vector3 | undefined {
+    const tree = this.isEmpty ? undefined : (this.picker().geometry.boundsTree as MeshBVH);
+    const found = tree?.closestPointToPoint(point);
+    return found ? this.normalIn(found.faceIndex, found.point, new THREE.Vector3()).normalize() : undefined;
+  }
+
   /** The search tree takes a while on large surfaces: called when there is time. */
   prepare(): void {
     if (!this.isEmpty) this.picker();
@@ -242,11 +249,12 @@ export class Surface {
     this.pieces.visible = triangle.length > 0;
   }
 
-  private normalIn(baseFace: number, point: THREE.Vector3, normal: THREE.Vector3): void {
+  private normalIn(baseFace: number, point: THREE.Vector3, normal: THREE.Vector3): THREE.Vector3 {
     const [a, b, c] = [0, 1, 2].map((k) => this.triangles[3 * baseFace + k]!) as [number, number, number];
     const at = THREE.Triangle.getBarycoord(point, this.vertex(a), this.vertex(b), this.vertex(c), new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
     normal.set(0, 0, 0);
     [a, b, c].forEach((v, k) => normal.addScaledVector(new THREE.Vector3().fromArray(this.normals, 3 * v), at.getComponent(k)));
+    return normal;
   }
 
   /** The chart of a face at one of its points; where contours cross the face, that of the piece there. */

@@ -96,9 +96,10 @@ export class Viewport {
     this.fit(this.points);
   }
 
-  /** Turns around that point from now on, and comes a little closer. */
-  focus(point: THREE.Vector3, distance?: number): void {
+  /** Turns around that point from now on, and comes a little closer; where `outside` is given, to where the point is seen. */
+  focus(point: THREE.Vector3, distance?: number, outside?: THREE.Vector3): void {
     const eye = this.camera.position.clone().sub(this.controls.target);
+    if (outside && eye.dot(outside) < 0.6 * eye.length()) eye.setLength(0.4).add(outside).setLength(this.camera.position.distanceTo(this.controls.target));
     eye.setLength(distance ?? Math.max(eye.length() * 0.6, this.radius * 0.35));
     this.fly(point, eye, true);
   }

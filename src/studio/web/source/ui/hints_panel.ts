@@ -75,7 +75,7 @@ export class HintsPanel {
       "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: () => this.mark.show(place), onpointerleave: () => this.mark.show(null), onfocus: () => this.mark.show(place), onblur: () => this.mark.show(null) },
       h("span", {}, hint.reason), h("em", {}, hint.edit.edit.replaceAll("_", " ")),
     );
-    const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.mark.show(place), this.app.viewport.focus(place)) }, icon(icons.eye));
+    const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.mark.show(place), this.app.flyTo(place)) }, icon(icons.eye));
     return h("div", { className: "hint-row" }, apply, fly);
   }
 
