@@ -61,7 +61,7 @@ Neighbour_order order_around(const Triangle_surface& s, const std::vector<double
     if (f[u] < f[v] || (break_ties && f[u] == f[v] && u < v)) order.lower = true;
     if (f[u] > f[v] || (break_ties && f[u] == f[v] && u > v)) order.higher = true;
   };
-  for (int h = s.outgoing[v]; h >= 0;) {
+  for (int h = s.outgoing[v]; h >= 0 && !(order.lower && order.higher);) {
     compare(s.target(h));
     compare(s.source(Triangle_surface::previous(h)));
     h = s.rotate_ccw(h);
