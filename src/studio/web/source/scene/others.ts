@@ -52,7 +52,9 @@ export class Others {
   }
 
   hover(part: number): void {
-    this.mesh.material.uniforms.hovered!.value = part || -1;
+    const { hovered, opacity } = this.mesh.material.uniforms;
+    hovered!.value = part || -1;
+    opacity!.value = part ? 0.36 : 0.2;
   }
 
   private replace(geometry: THREE.BufferGeometry, visible: boolean): void {

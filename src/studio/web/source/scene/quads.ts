@@ -93,6 +93,7 @@ export class Quads {
     const material = this.faces.material;
     if (material.transparent === on) return;
     material.uniforms.opacity!.value = on ? 0.12 : 1;
+    material.forceSinglePass = !on;
     material.transparent = on;
     material.depthWrite = !on;
     material.needsUpdate = true;

@@ -122,6 +122,7 @@ export class Surface {
   setXray(on: boolean): void {
     if (this.material.transparent === on) return;
     this.material.uniforms.opacity!.value = on ? 0.16 : 1;
+    this.material.forceSinglePass = !on; // else the front and what is behind it would show in patches: faces are not sorted by depth
     this.material.transparent = on;
     this.material.depthWrite = !on;
     this.material.needsUpdate = true;
