@@ -422,7 +422,7 @@ Result<Resolved_mesh> resolve_t_junctions(const Quad_mesh& mesh, const std::vect
   if (!order) return order.error();
   int lines = 0;
   std::vector<Hanging_mesh::Edge> odd = *order;
-  const int enough = 16 * int(odd.size()) + 64;
+  const int enough = 2 * int(odd.size()) + 64; // a line joins two, or leaves one where it ends on a part
   while (!odd.empty()) {
     for (const Hanging_mesh::Edge& e : odd) {
       const auto t = work.hanging().find(e);
