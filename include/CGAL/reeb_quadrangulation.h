@@ -36,6 +36,7 @@
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/Texture_place.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+#include <CGAL/Reeb_quadrangulation/Vertex_constraints.h>
 #include <CGAL/Reeb_quadrangulation/Vertex_order.h>
 #include <CGAL/Reeb_quadrangulation/adapt_quads.h>
 #include <CGAL/Reeb_quadrangulation/base_domain.h>

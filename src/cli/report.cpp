@@ -109,6 +109,7 @@ Json relaxation_json(const Relax_report& relaxation) {
 Json features_json(const Snap_report& features) {
   return {{"corners", features.corners},
           {"missed_corners", features.missed_corners},
+          {"missed_crossings", features.missed_crossings},
           {"vertices", features.vertices},
           {"on_lines", features.on_lines}};
 }

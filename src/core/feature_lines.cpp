@@ -15,58 +15,6 @@ namespace internal {
 
 namespace {
 
-// The segment of a curve at an arc length within it.
-std::size_t segment_at(const Feature_curve& c, double t) {
-  const auto after = std::upper_bound(c.arc.begin() + 1, c.arc.end() - 1, t);
-  return std::size_t(after - c.arc.begin()) - 1;
-}
-
-double within(const Feature_curve& c, double t) {
-  return c.closed ? t - c.length() * std::floor(t / c.length()) : std::min(c.length(), std::max(0.0, t));
-}
-
-} // namespace
-
-Point Feature_curve::at(double t) const {
-  t = within(*this, t);
-  const std::size_t i = segment_at(*this, t);
-  const double length = arc[i + 1] - arc[i];
-  if (t == arc[i + 1]) return points[i + 1];
-  return length > 0 ? Point(points[i] + (t - arc[i]) / length * (points[i + 1] - points[i])) : points[i];
-}
-
-Point Feature_curve::tangent(double t) const {
-  const std::size_t i = segment_at(*this, within(*this, t));
-  return (points[i + 1] - points[i]).normalized();
-}
-
-double Feature_curve::nearest(const Point& p, double low, double high) const {
-  if (!closed) {
-    low = std::max(0.0, low);
-    high = std::min(length(), high);
-  }
-  double best = low, least = (at(low) - p).squaredNorm();
-  for (double t = low; t < high;) {
-    const double start = within(*this, t);
-    const std::size_t i = segment_at(*this, start);
-    const Point way = points[i + 1] - points[i];
-    const double segment = arc[i + 1] - arc[i], end = std::min(high, t + arc[i + 1] - start);
-    if (!(end > t)) break;
-    if (segment > 0) {
-      const double s = t + (p - points[i]).dot(way) / segment - (start - arc[i]);
-      const double inside = std::min(end, std::max(t, s)), d = (at(inside) - p).squaredNorm();
-      if (d < least) {
-        least = d;
-        best = inside;
-      }
-    }
-    t = end;
-  }
-  return best;
-}
-
-namespace {
-
 // A straight line of edges along a part of a curve. Arc lengths ascend; on closed curves they may leave [0, length).
 struct Line {
   int curve = -1;
@@ -83,12 +31,12 @@ struct Line {
 
 class Lines {
 public:
-  Lines(Quad_mesh& mesh, const Surface_projector& projector, const std::vector<Feature_curve>& curves,
-        const Snap_options& options, std::vector<char>& fixed)
-      : m_mesh(mesh), m_projector(projector), m_curves(curves), m_options(options), m_fixed(fixed),
-        m_outgoing(mesh.points.size(), -1), m_valence(mesh.points.size(), 0), m_edge(mesh.points.size(), 0),
-        m_boundary(mesh.points.size(), 0), m_ends(curves.size(), {-1, -1}), m_taken(curves.size()),
-        m_index(mesh.points.size(), -1) {
+  Lines(Quad_mesh& mesh, const Surface_projector& projector, const std::vector<Surface_curve>& curves,
+        const Snap_options& options, std::vector<char>& held, std::vector<Vertex_constraints::Place>& places)
+      : m_mesh(mesh), m_projector(projector), m_curves(curves), m_options(options), m_held(held),
+        m_places(places), m_outgoing(mesh.points.size(), -1), m_valence(mesh.points.size(), 0),
+        m_edge(mesh.points.size(), 0), m_boundary(mesh.points.size(), 0), m_ends(curves.size(), {-1, -1}),
+        m_taken(curves.size()), m_index(mesh.points.size(), -1) {
     connect_quads(mesh.quads, int(mesh.points.size()), m_opposite);
     for (int h = 0; h < int(m_opposite.size()); ++h) {
       const int a = from(h), b = to(h);
@@ -99,8 +47,8 @@ public:
     }
     for (std::size_t v = 0; v < m_edge.size(); ++v)
       if (m_valence[v] > 0) m_edge[v] /= m_valence[v];
-    for (int v = 0; v < int(fixed.size()); ++v)
-      if (fixed[v]) note_end(v);
+    for (int v = 0; v < int(held.size()); ++v)
+      if (held[v]) note_end(v);
   }
 
   int run(const std::vector<Feature_seed>& seeds) {
@@ -122,7 +70,7 @@ public:
 private:
   int from(int h) const { return source(m_mesh.quads, h); }
   int to(int h) const { return target(m_mesh.quads, h); }
-  const Feature_curve& curve(const Line& line) const { return m_curves[line.curve]; }
+  const Surface_curve& curve(const Line& line) const { return m_curves[line.curve]; }
   double distance(int c, int v, double t) const { return (m_curves[c].at(t) - m_mesh.points[v]).norm(); }
 
   // A vertex may lie on ends of curves.
@@ -171,7 +119,7 @@ private:
   Line follow(const Feature_seed& seed, int h, bool forward, double rest, Seen seen) const {
     Line line;
     line.curve = seed.curve;
-    const Feature_curve& c = curve(line);
+    const Surface_curve& c = curve(line);
     double t = seed.t;
     for (; h >= 0; h = straight(h)) {
       const int w = to(h);
@@ -212,7 +160,7 @@ private:
     std::vector<Line> parts(1);
     for (int i = 0; i < line.size(); ++i) {
       const int v = line.vertices[i];
-      const bool stays = m_fixed[v] && distance(line.curve, v, line.t[i]) > 1e-6 * m_edge[v];
+      const bool stays = m_held[v] && distance(line.curve, v, line.t[i]) > 1e-6 * m_edge[v];
       if (stays || is_taken(line.curve, v, line.t[i]))
         parts.emplace_back();
       else
@@ -240,10 +188,7 @@ private:
       const bool good = std::find(bad.begin(), bad.end(), 1) == bad.end();
       if (good) {
         for (int v : around) m_mesh.points[v] = m_moved[std::size_t(m_index[v])];
-        for (int v : line.vertices) {
-          laid += !m_fixed[v];
-          m_fixed[v] = 1;
-        }
+        for (int i = 0; i < line.size(); ++i) laid += hold(line.vertices[i], line.curve, line.t[i]);
         note_end(line.vertices.front());
         note_end(line.vertices.back());
         m_taken[line.curve].push_back({line.t.front(), line.t.back()});
@@ -253,6 +198,14 @@ private:
       line = longest_part(line, bad);
     }
     return laid;
+  }
+
+  bool hold(int v, int c, double t) {
+    if (m_held[v]) return false;
+    m_held[v] = 1;
+    const double length = m_curves[c].length();
+    m_places.push_back({v, c, m_curves[c].closed ? t - length * std::floor(t / length) : t});
+    return true;
   }
 
   // Ends near the ends of the curve come to lie there, unless another vertex does; the others are spread.
@@ -266,7 +219,7 @@ private:
     }
     for (int sweep = 0; sweep < 5; ++sweep)
       for (int i = 1; i + 1 < line.size(); ++i)
-        if (!m_fixed[line.vertices[i]]) line.t[i] = 0.5 * line.t[i] + 0.25 * (line.t[i - 1] + line.t[i + 1]);
+        if (!m_held[line.vertices[i]]) line.t[i] = 0.5 * line.t[i] + 0.25 * (line.t[i - 1] + line.t[i + 1]);
   }
 
   void to_end(Line& line, int i, int end, double t) const {
@@ -274,7 +227,7 @@ private:
     if (there >= 0 && there != v) {
       line.vertices.erase(line.vertices.begin() + i);
       line.t.erase(line.t.begin() + i);
-    } else if (!m_fixed[v])
+    } else if (!m_held[v])
       line.t[i] = t;
   }
 
@@ -286,7 +239,7 @@ private:
     for (int i = 0; i < line.size(); ++i) {
       const int v = line.vertices[i];
       m_index[v] = i;
-      m_moved.push_back(m_fixed[v] ? m_mesh.points[v] : curve(line).at(line.t[i]));
+      m_moved.push_back(m_held[v] ? m_mesh.points[v] : curve(line).at(line.t[i]));
       way.push_back(m_moved.back() - m_mesh.points[v]);
     }
     std::size_t begin = 0;
@@ -295,7 +248,7 @@ private:
       for (; begin < end; ++begin)
         for_each_outgoing(around[begin], [&](int h) {
           const int w = to(h);
-          if (m_index[w] >= 0 || m_boundary[w] || m_fixed[w]) return;
+          if (m_index[w] >= 0 || m_boundary[w] || m_held[w]) return;
           m_index[w] = int(around.size());
           around.push_back(w);
         });
@@ -365,9 +318,10 @@ private:
 
   Quad_mesh& m_mesh;
   const Surface_projector& m_projector;
-  const std::vector<Feature_curve>& m_curves;
+  const std::vector<Surface_curve>& m_curves;
   const Snap_options& m_options;
-  std::vector<char>& m_fixed;
+  std::vector<char>& m_held;
+  std::vector<Vertex_constraints::Place>& m_places;
   std::vector<int> m_opposite, m_outgoing, m_valence;
   std::vector<double> m_edge; ///< mean length at each vertex
   std::vector<char> m_boundary;
@@ -380,9 +334,10 @@ private:
 } // namespace
 
 int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
-                          const std::vector<Feature_curve>& curves, const std::vector<Feature_seed>& seeds,
-                          const Snap_options& options, std::vector<char>& fixed) {
-  return Lines(mesh, projector, curves, options, fixed).run(seeds);
+                          const std::vector<Surface_curve>& curves, const std::vector<Feature_seed>& seeds,
+                          const Snap_options& options, std::vector<char>& held,
+                          std::vector<Vertex_constraints::Place>& places) {
+  return Lines(mesh, projector, curves, options, held, places).run(seeds);
 }
 
 } // namespace internal

@@ -11,20 +11,6 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// A chain of sharp edges as a curve by arc length.
-struct Feature_curve {
-  std::vector<Point> points;
-  std::vector<double> arc; ///< length up to each point, the first 0
-  bool closed = false;     ///< the last point is the first
-
-  double length() const { return arc.back(); }
-  /// The point at an arc length; closed curves go round, others end.
-  Point at(double t) const;
-  Point tangent(double t) const;
-  /// The arc length of the nearest point among those at `low` to `high`.
-  double nearest(const Point& p, double low, double high) const;
-};
-
 /// A vertex near a curve, nearest at an arc length.
 struct Feature_seed {
   int vertex, curve;
@@ -34,10 +20,11 @@ struct Feature_seed {
 /// Moves lines of edges onto the curves that they run along, and the vertices around them by less and less. A line takes a part of a
 /// curve along which it stays nearer than `options.line_reach` edges and goes straight through the quads, and has a vertex among `seeds`;
 /// the best ones are taken first. A line is taken only if no quad becomes worse than `options.worst_jacobian`, or than it was; else without its vertices at such
-/// quads. Vertices that are `fixed` stay; those of lines become so. Returns the number of these.
+/// quads. Vertices that are `held` stay; those of lines become so, and their places are added. Returns the number of these.
 int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
-                          const std::vector<Feature_curve>& curves, const std::vector<Feature_seed>& seeds,
-                          const Snap_options& options, std::vector<char>& fixed);
+                          const std::vector<Surface_curve>& curves, const std::vector<Feature_seed>& seeds,
+                          const Snap_options& options, std::vector<char>& held,
+                          std::vector<Vertex_constraints::Place>& places);
 
 } // namespace internal
 } // namespace Reeb_quadrangulation

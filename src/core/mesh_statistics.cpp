@@ -181,22 +181,25 @@ std::vector<std::pair<int, int>> sharp_edges(const Input_surface& input, double 
   return sharp;
 }
 
-// Whether an edge of a quad runs along a point of a sharp edge with this direction.
-bool runs_along(const Quad_corners& quad, const Point& at, const Point& direction) {
+// Whether a segment runs along a point of a sharp edge with this direction.
+bool runs_along(const Point& p, const Point& q, const Point& at, const Point& direction) {
   const double cosine = std::cos(std::acos(-1.0) / 9);
-  for (int i = 0; i < 4; ++i) {
-    const Point edge = quad[(i + 1) % 4] - quad[i];
-    const double length = edge.norm();
-    if (!(length > 0) || std::abs(edge.dot(direction)) < cosine * length) continue;
-    const double t = std::min(1.0, std::max(0.0, edge.dot(at - quad[i]) / (length * length)));
-    if ((quad[i] + t * edge - at).norm() <= 0.05 * length) return true;
-  }
-  return false;
+  const Point way = q - p;
+  const double length = way.norm();
+  if (!(length > 0) || std::abs(way.dot(direction)) < cosine * length) return false;
+  const double t = std::min(1.0, std::max(0.0, way.dot(at - p) / (length * length)));
+  return (p + t * way - at).norm() <= 0.05 * length;
 }
 
-std::optional<double> covered_sharp_edges(Nearest_quad& nearest, const Input_surface& input, double mean_edge,
-                                          double angle) {
-  double all = 0, covered = 0;
+// The parts of the sharp edges' length that edges of quads run along, and edges or first diagonals.
+struct Covered {
+  double by_edges, by_triangles;
+};
+
+std::optional<Covered> covered_sharp_edges(Nearest_quad& nearest, const Input_surface& input,
+                                           double mean_edge, double angle) {
+  double all = 0;
+  Covered covered{0, 0};
   for (const auto& [v, w] : sharp_edges(input, angle)) {
     const Point p = input.surface.points[v], way = input.surface.points[w] - p;
     const double length = way.norm();
@@ -206,11 +209,15 @@ std::optional<double> covered_sharp_edges(Nearest_quad& nearest, const Input_sur
     for (int i = 0; i < pieces; ++i) {
       const Point at = p + (i + 0.5) / pieces * way;
       all += length / pieces;
-      if (runs_along(nearest(at), at, way / length)) covered += length / pieces;
+      const Quad_corners quad = nearest(at);
+      const auto along = [&](int j, int k) { return runs_along(quad[j], quad[k], at, way / length); };
+      const bool by_edge = along(0, 1) || along(1, 2) || along(2, 3) || along(3, 0);
+      if (by_edge) covered.by_edges += length / pieces;
+      if (by_edge || along(0, 2)) covered.by_triangles += length / pieces;
     }
   }
   if (!(all > 0)) return std::nullopt;
-  return covered / all;
+  return Covered{covered.by_edges / all, covered.by_triangles / all};
 }
 
 } // namespace
@@ -231,8 +238,11 @@ Mesh_statistics quad_statistics(const Quad_mesh& mesh, const Triangle_surface* i
   const Input_surface surface = read_input(*input);
   result.undersampled_area =
       undersampled_area(nearest, surface, result.quad_area.mean, options.input_samples);
-  result.covered_sharp_edges =
-      covered_sharp_edges(nearest, surface, result.edge_length.mean, options.feature_angle);
+  if (const auto covered =
+          covered_sharp_edges(nearest, surface, result.edge_length.mean, options.feature_angle)) {
+    result.covered_sharp_edges = covered->by_edges;
+    result.folded_sharp_edges = covered->by_triangles;
+  }
   return result;
 }
 

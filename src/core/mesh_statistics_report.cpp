@@ -72,6 +72,7 @@ std::string to_json(const Mesh_statistics& s) {
               {"quad_area_ratio", number(s.quad_area_ratio)}};
   result["undersampled_area"] = s.undersampled_area ? number(*s.undersampled_area) : Json(nullptr);
   result["covered_sharp_edges"] = s.covered_sharp_edges ? number(*s.covered_sharp_edges) : Json(nullptr);
+  result["folded_sharp_edges"] = s.folded_sharp_edges ? number(*s.folded_sharp_edges) : Json(nullptr);
   return result.dump(2);
 }
 
@@ -89,7 +90,9 @@ std::string to_text(const Mesh_statistics& s) {
   text += line("edge length", words(s.edge_length));
   text += line("quad area", words(s.quad_area) + ", ratio " + words(s.quad_area_ratio));
   if (s.undersampled_area) text += line("undersampled area", words(100 * *s.undersampled_area) + " %");
-  if (s.covered_sharp_edges) text += line("sharp edges covered", words(100 * *s.covered_sharp_edges) + " %");
+  if (s.covered_sharp_edges)
+    text += line("sharp edges covered", words(100 * *s.folded_sharp_edges) + " %, by edges of quads " +
+                                            words(100 * *s.covered_sharp_edges) + " %");
   return text;
 }
 

@@ -539,40 +539,74 @@ public:
     if (snapping.feature_angle > 0) m_features = feature_edges(input, snapping.feature_angle);
   }
 
-  Result<Finished_quads> run(Quad_mesh mesh, bool lines) const {
-    Finished_quads result;
-    result.mesh = std::move(mesh);
-    Snap_options snapping = m_snapping;
-    snapping.lines = lines;
-    std::vector<char> designed = held(result.mesh); // and what the design has put onto features already
-    if (m_features) {
-      Snap_options near = snapping;
-      near.reach = std::min(snapping.reach, 0.01);
-      snap_to_features(result.mesh, m_projector, *m_features, near, designed);
+  // Quads are first relaxed without regard to sharp edges. Of the ways onto these, the first is taken that makes them no worse.
+  Result<Finished_quads> run(Quad_mesh mesh) const {
+    Finished_quads plain;
+    plain.mesh = std::move(mesh);
+    if (Result<void> relaxed = relax(plain, designed(plain.mesh)); !relaxed) return relaxed.error();
+    if (!m_features || m_features->chains.empty()) return plain;
+    for (const Snap_options& way : ways()) {
+      Result<Finished_quads> snapped = snap(plain, way);
+      if (!snapped || !is_worse(snapped->relaxation, plain.relaxation)) return snapped;
     }
-    if (Result<void> relaxed = relax(result, designed); !relaxed) return relaxed.error();
-    if (!m_features) return result;
-    std::vector<char> fixed = held(result.mesh);
-    result.features = snap_to_features(result.mesh, m_projector, *m_features, snapping, fixed);
-    if (result.features.corners + result.features.vertices == 0) return result;
-    const Relax_report before = result.relaxation;
-    if (Result<void> relaxed = relax(result, fixed); !relaxed) return relaxed.error();
-    result.relaxation.worst_before = before.worst_before;
-    result.relaxation.mean_before = before.mean_before;
-    result.relaxation.inverted_before = before.inverted_before;
-    return result;
+    return plain;
   }
 
 private:
+  // From what is asked for to what hardly touches the quads.
+  std::vector<Snap_options> ways() const {
+    std::vector<Snap_options> result{m_snapping};
+    Snap_options less = m_snapping;
+    less.lines = false;
+    if (m_snapping.lines) result.push_back(less);
+    less.crossings = false;
+    less.corner_reach = less.reach;
+    result.push_back(less);
+    return result;
+  }
+
+  // What is held, and what the design has put onto sharp edges already.
+  Vertex_constraints designed(Quad_mesh& mesh) const {
+    Vertex_constraints result(held(mesh));
+    if (!m_features) return result;
+    Snap_options near = m_snapping;
+    near.reach = std::min(near.reach, 0.01);
+    near.corner_reach = std::min(near.corner_reach, 0.01);
+    near.lines = near.crossings = false;
+    snap_to_features(mesh, m_projector, *m_features, near, result);
+    return result;
+  }
+
+  Result<Finished_quads> snap(Finished_quads quads, const Snap_options& way) const {
+    const Relax_report before = quads.relaxation;
+    const int rounds = way.crossings ? 2 : 1; // what has been relaxed lets more vertices come near
+    for (int round = 0; round < rounds; ++round) {
+      Vertex_constraints onto(held(quads.mesh));
+      quads.features = snap_to_features(quads.mesh, m_projector, *m_features, way, onto);
+      if (quads.features.corners + quads.features.vertices == 0) return quads;
+      if (Result<void> relaxed = relax(quads, onto); !relaxed) return relaxed.error();
+      turn_to_features(quads.mesh, onto);
+    }
+    quads.relaxation.worst_before = before.worst_before;
+    quads.relaxation.mean_before = before.mean_before;
+    quads.relaxation.inverted_before = before.inverted_before;
+    return quads;
+  }
+
+  static bool is_worse(const Relax_report& a, const Relax_report& b) {
+    return a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after ||
+           (a.worst_after < b.worst_after && a.worst_after < 0.2) || a.mean_after < b.mean_after - 0.02;
+  }
+
   std::vector<char> held(const Quad_mesh& mesh) const {
     std::vector<char> fixed(mesh.points.size(), 0);
     for (int v : m_held) fixed[std::size_t(v)] = 1;
     return fixed;
   }
 
-  Result<void> relax(Finished_quads& quads, const std::vector<char>& fixed) const {
+  Result<void> relax(Finished_quads& quads, const Vertex_constraints& constraints) const {
     Result<Relax_report> report =
-        relax_quads(quads.mesh, m_projector.surface(), m_projector, fixed, m_relaxation, m_observer);
+        relax_quads(quads.mesh, m_projector.surface(), m_projector, constraints, m_relaxation, m_observer);
     if (!report) return report.error();
     quads.relaxation = *report;
     return {};
@@ -586,22 +620,12 @@ private:
   const std::vector<int>& m_held;
 };
 
-bool is_worse(const Relax_report& a, const Relax_report& b) {
-  return a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after ||
-         (a.worst_after < b.worst_after && a.worst_after < 0.2);
-}
-
 } // namespace
 
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation, const Snap_options& features,
                                     Observer* observer, const std::vector<int>& held) {
-  const Finisher finisher(input, relaxation, features, observer, held);
-  if (!features.lines) return finisher.run(std::move(mesh), false);
-  Result<Finished_quads> lines = finisher.run(mesh, true);
-  if (!lines || lines->features.on_lines == 0) return lines;
-  Result<Finished_quads> other = finisher.run(std::move(mesh), false);
-  return !other || is_worse(lines->relaxation, other->relaxation) ? std::move(other) : std::move(lines);
+  return Finisher(input, relaxation, features, observer, held).run(std::move(mesh));
 }
 
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Quadrangulation_options& options,

@@ -93,7 +93,8 @@ int smooth(State& state, const Regime& regime, const Sweep& sweep) {
       const int v = colour[i];
       if (state.sites[v].freedom == Freedom::fixed || (sweep.mask && !(*sweep.mask)[v])) return;
       double size;
-      const double part = mobility(state, v, size);
+      double part = mobility(state, v, size);
+      if (state.on_ridge(v)) part = 0.9; // which it cannot leave
       const Point from = state.mesh.points[v], way = part * (wanted_position(state, regime, v) - from);
       if (way.squaredNorm() < 1e-5 * size * size) return; // has come to rest
       accepted[v] = try_step(state, v, from + way, sweep) || try_step(state, v, from + 0.4 * way, sweep);
@@ -113,7 +114,27 @@ constexpr double good_mean = 0.92;
 constexpr double hopeful_mean = 0.87;
 constexpr int between_measures = 10;
 
-Result<void> check(const Quad_mesh& mesh, const std::vector<char>& fixed, const Relax_options& options) {
+Result<void> check_constraints(const Quad_mesh& mesh, const Vertex_constraints& constraints) {
+  const std::vector<char>& fixed = constraints.fixed;
+  if (!fixed.empty() && fixed.size() != mesh.points.size())
+    return make_error(Error_code::impossible_request, "the list of fixed vertices has " +
+                                                          std::to_string(fixed.size()) + " entries for " +
+                                                          std::to_string(mesh.points.size()) + " vertices");
+  std::vector<char> placed(mesh.points.size(), 0);
+  for (const auto& [v, curve, t] : constraints.places) {
+    if (v < 0 || v >= int(placed.size()) || curve < 0 || curve >= int(constraints.curves.size()))
+      return make_error(Error_code::impossible_request,
+                        "a vertex or a curve that does not exist is named by a place on a curve",
+                        Element_kind::vertex, v);
+    if (placed[v]++)
+      return make_error(Error_code::impossible_request, "a vertex is to slide on two curves",
+                        Element_kind::vertex, v);
+  }
+  return {};
+}
+
+Result<void> check(const Quad_mesh& mesh, const Vertex_constraints& constraints,
+                   const Relax_options& options) {
   for (int q = 0; q < int(mesh.quads.size()); ++q) {
     const Quad& quad = mesh.quads[q];
     for (int i = 0; i < 4; ++i) {
@@ -125,15 +146,11 @@ Result<void> check(const Quad_mesh& mesh, const std::vector<char>& fixed, const 
           return make_error(Error_code::not_a_surface, "a quad names a vertex twice", Element_kind::face, q);
     }
   }
-  if (!fixed.empty() && fixed.size() != mesh.points.size())
-    return make_error(Error_code::impossible_request, "the list of fixed vertices has " +
-                                                          std::to_string(fixed.size()) + " entries for " +
-                                                          std::to_string(mesh.points.size()) + " vertices");
   if (options.iterations < 0 || options.more_iterations < 0)
     return make_error(Error_code::impossible_request, "the number of iterations is negative");
   if (options.threads < 1)
     return make_error(Error_code::impossible_request, "the number of threads is not positive");
-  return {};
+  return check_constraints(mesh, constraints);
 }
 
 struct Quality {
@@ -195,9 +212,9 @@ void measure_offsets(const State& state, Relax_report& report) {
 } // namespace
 
 Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
-                                 const Surface_projector& projector, const std::vector<char>& fixed,
+                                 const Surface_projector& projector, const Vertex_constraints& constraints,
                                  const Relax_options& options, Observer* observer) {
-  if (Result<void> checked = check(mesh, fixed, options); !checked) return checked.error();
+  if (Result<void> checked = check(mesh, constraints, options); !checked) return checked.error();
   const std::vector<Point> original = mesh.points;
   const Quality before = measure(mesh);
   Relax_report report;
@@ -207,8 +224,9 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
     return true;
   };
 
-  State state(mesh, input, projector, fixed, options.threads);
+  State state(mesh, input, projector, constraints, options.threads);
   report.boundary_vertices = relaxation::bind_boundary(state);
+  relaxation::bind_to_curves(state, constraints);
   const State::Snapshot placed = state.snapshot();
   const Quality on_surface = measure(mesh);
   for (int i = 0; i < options.iterations; ++i) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relax_quads_state.h"
 
-#include "segments.h"
-
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -64,9 +63,9 @@ std::vector<std::vector<int>> loops_of(const Quad_mesh& mesh) {
 
 // Parameters of a loop of vertices on a closed curve, increasing and within one turn. Where the nearest
 // points are not in order, the vertices are placed by their chord lengths instead.
-std::vector<double> parameters_on(const Curve& curve, const std::vector<int>& loop,
+std::vector<double> parameters_on(const Surface_curve& curve, const std::vector<int>& loop,
                                   const std::vector<Point>& points) {
-  const double total = curve.total();
+  const double total = curve.length();
   const int n = int(loop.size());
   std::vector<double> s(n);
   s[0] = curve.nearest(points[loop[0]], 0, total);
@@ -86,49 +85,11 @@ std::vector<double> parameters_on(const Curve& curve, const std::vector<int>& lo
 
 } // namespace
 
-Curve make_curve(std::vector<Point> points, bool closed) {
-  Curve curve{std::move(points), {0}, closed};
-  for (std::size_t i = 1; i < curve.points.size(); ++i)
-    curve.length.push_back(curve.length.back() + (curve.points[i] - curve.points[i - 1]).norm());
-  return curve;
-}
-
-Point Curve::at(double s) const {
-  if (closed) s -= total() * std::floor(s / total());
-  const auto it = std::upper_bound(length.begin() + 1, length.end() - 1, s);
-  const std::size_t i = it - length.begin();
-  const double step = length[i] - length[i - 1];
-  const double t = step > 0 ? std::clamp((s - length[i - 1]) / step, 0.0, 1.0) : 0;
-  return (1 - t) * points[i - 1] + t * points[i];
-}
-
-double Curve::nearest(const Point& p, double low, double high) const {
-  const double turns = closed ? total() * std::floor(low / total()) : 0;
-  double best = std::clamp(low, low, high), best_square = (at(best) - p).squaredNorm();
-  const int segments = int(points.size()) - 1;
-  int i = int(std::upper_bound(length.begin() + 1, length.end() - 1, low - turns) - length.begin()) - 1;
-  for (double offset = turns; offset + length[i] < high;) {
-    const double t = nearest_coordinate(p, points[i], points[i + 1]);
-    const double s = std::clamp(offset + length[i] + t * (length[i + 1] - length[i]), low, high);
-    const double square = (at(s) - p).squaredNorm();
-    if (square < best_square) {
-      best = s;
-      best_square = square;
-    }
-    if (++i == segments) {
-      if (!closed) break;
-      i = 0;
-      offset += total();
-    }
-  }
-  return best;
-}
-
 State::State(Quad_mesh& m, const Triangle_surface& in, const Surface_projector& pr,
-             const std::vector<char>& fixed, int t)
+             const Vertex_constraints& constraints, int t)
     : mesh(m), input(in), projector(pr), threads(t), sites(m.points.size()) {
-  for (std::size_t v = 0; v < fixed.size(); ++v)
-    if (fixed[v]) sites[v].freedom = Freedom::fixed;
+  for (std::size_t v = 0; v < constraints.fixed.size(); ++v)
+    if (constraints.fixed[v]) sites[v].freedom = Freedom::fixed;
   const int nv = number_of_vertices();
   first.assign(nv + 1, 0);
   for (const Quad& q : mesh.quads)
@@ -224,23 +185,31 @@ Step State::constrain(int v, const Point& target) const {
   Step step;
   step.face = site.face;
   if (site.freedom == Freedom::curve) {
-    const Curve& curve = curves[site.curve];
+    const Surface_curve& curve = curves[site.curve];
     double low = site.previous >= 0 ? sites[site.previous].parameter : 0;
-    double high = site.next >= 0 ? sites[site.next].parameter : curve.total();
-    if (curve.closed && low >= site.parameter) low -= curve.total();
-    if (curve.closed && high <= site.parameter) high += curve.total();
+    double high = site.next >= 0 ? sites[site.next].parameter : curve.length();
+    if (curve.closed && low >= site.parameter) low -= curve.length();
+    if (curve.closed && high <= site.parameter) high += curve.length();
     // Keep a tenth of the way to each neighbour, so that vertices on a curve never meet.
     low += 0.1 * (site.parameter - low);
     high -= 0.1 * (high - site.parameter);
-    step.parameter = curve.nearest(target, low, high);
-    step.point = curve.at(step.parameter);
-    step.face = projector.closest_nearby(step.point, site.face).face;
-  } else {
-    const Closest_point c = projector.closest_nearby(target, site.face);
-    step.point = c.point;
-    step.face = c.face;
+    return on_curve(v, curve.nearest(target, low, high));
   }
+  const Closest_point c = projector.closest_nearby(target, site.face);
+  step.point = c.point;
+  step.face = c.face;
   step.normal = projector.normal(step.face);
+  if (step.normal.isZero()) step.normal = m_normals[v];
+  return step;
+}
+
+Step State::on_curve(int v, double t) const {
+  const Surface_curve& curve = curves[sites[v].curve];
+  Step step;
+  step.parameter = t;
+  step.point = curve.at(t);
+  step.face = projector.closest_nearby(step.point, sites[v].face).face;
+  step.normal = curve.normals.empty() ? projector.normal(step.face) : curve.normal(t);
   if (step.normal.isZero()) step.normal = m_normals[v];
   return step;
 }
@@ -252,6 +221,33 @@ void State::move(int v, const Step& step) {
   sites[v].parameter = step.parameter;
 }
 
+void bind_to_curves(State& state, const Vertex_constraints& constraints) {
+  const int first = int(state.curves.size());
+  state.curves.insert(state.curves.end(), constraints.curves.begin(), constraints.curves.end());
+  std::vector<Vertex_constraints::Place> places;
+  for (const Vertex_constraints::Place& place : constraints.places)
+    if (state.sites[place.vertex].curve < 0) places.push_back(place);
+  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.curve, a.t, a.vertex) < std::tie(b.curve, b.t, b.vertex);
+  });
+  for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+    while (end < places.size() && places[end].curve == places[begin].curve) ++end;
+    const Surface_curve& curve = state.curves[std::size_t(first + places[begin].curve)];
+    for (std::size_t i = begin; i < end; ++i) {
+      const int v = places[i].vertex;
+      Site& site = state.sites[v];
+      site.curve = first + places[i].curve;
+      const bool around = curve.closed && end > begin + 1;
+      site.previous = i > begin ? places[i - 1].vertex : around ? places[end - 1].vertex : -1;
+      site.next = i + 1 < end ? places[i + 1].vertex : around ? places[begin].vertex : -1;
+      site.parameter = places[i].t;
+      if (site.freedom == Freedom::fixed) continue;
+      site.freedom = Freedom::curve;
+      state.move(v, state.on_curve(v, site.parameter));
+    }
+  }
+}
+
 int bind_boundary(State& state) {
   const std::vector<std::vector<int>> loops = loops_of(state.mesh);
   if (loops.empty()) return 0;
@@ -261,12 +257,15 @@ int bind_boundary(State& state) {
   for (const std::vector<int>& loop : boundary_loops(input)) {
     std::vector<Point> points;
     corner_parameters.emplace_back();
-    for (int h : loop) points.push_back(input.points[input.source(h)]);
+    double arc = 0;
+    for (int h : loop) {
+      points.push_back(input.points[input.source(h)]);
+      if (std::binary_search(corners.begin(), corners.end(), input.source(h)))
+        corner_parameters.back().push_back(arc);
+      arc += (input.points[input.target(h)] - points.back()).norm();
+    }
     points.push_back(points.front());
-    state.curves.push_back(make_curve(std::move(points), true));
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      if (std::binary_search(corners.begin(), corners.end(), input.source(loop[i])))
-        corner_parameters.back().push_back(state.curves.back().length[i]);
+    state.curves.push_back(make_surface_curve(points, true));
   }
   int bound = 0;
   for (const std::vector<int>& loop : loops) {
@@ -277,8 +276,8 @@ int bind_boundary(State& state) {
     for (int c = 0; c < int(state.curves.size()); ++c) {
       double sum = 0;
       for (int v : loop) {
-        const Curve& curve = state.curves[c];
-        sum += (curve.at(curve.nearest(state.mesh.points[v], 0, curve.total())) - state.mesh.points[v])
+        const Surface_curve& curve = state.curves[c];
+        sum += (curve.at(curve.nearest(state.mesh.points[v], 0, curve.length())) - state.mesh.points[v])
                    .squaredNorm();
       }
       if (sum < best_sum) {
@@ -290,17 +289,17 @@ int bind_boundary(State& state) {
       for (int v : loop) state.sites[v].freedom = Freedom::fixed; // the input is closed: nothing to slide on
       continue;
     }
-    const Curve& curve = state.curves[best];
+    const Surface_curve& curve = state.curves[best];
     std::vector<double> s = parameters_on(curve, loop, state.mesh.points);
     std::vector<char> held(n, 0);
     for (double c : corner_parameters[best]) {
-      const auto gap = [&](int i) { return std::abs(std::remainder(s[i] - c, curve.total())); };
+      const auto gap = [&](int i) { return std::abs(std::remainder(s[i] - c, curve.length())); };
       int nearest = 0;
       for (int i = 1; i < n; ++i)
         if (gap(i) < gap(nearest)) nearest = i;
       if (held[nearest]) continue;
       held[nearest] = 1;
-      s[nearest] -= std::remainder(s[nearest] - c, curve.total());
+      s[nearest] -= std::remainder(s[nearest] - c, curve.length());
     }
     for (int i = 0; i < n; ++i) {
       Site& site = state.sites[loop[i]];

@@ -17,20 +17,6 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace relaxation {
 
-/// A polyline that vertices may slide on, parameterised by arc length.
-struct Curve {
-  std::vector<Point> points;  ///< closed curves repeat the first point at the end
-  std::vector<double> length; ///< from the start to each point
-  bool closed = false;
-
-  double total() const { return length.back(); }
-  Point at(double s) const;
-  /// Parameter of the point nearest to p within [low, high]; on a closed curve high may exceed total().
-  double nearest(const Point& p, double low, double high) const;
-};
-
-Curve make_curve(std::vector<Point> points, bool closed);
-
 enum class Freedom : char { surface, curve, fixed };
 
 /// Where a vertex is bound: to a place of the surface or of a curve.
@@ -53,7 +39,7 @@ struct Step {
 class State {
 public:
   State(Quad_mesh& mesh, const Triangle_surface& input, const Surface_projector& projector,
-        const std::vector<char>& fixed, int threads);
+        const Vertex_constraints& constraints, int threads);
 
   Quad_mesh& mesh;
   const Triangle_surface& input;
@@ -63,12 +49,16 @@ public:
   std::vector<int> corners;                            ///< 4 q + i, ascending
   std::vector<std::array<double, 2>> original_lengths; ///< half edge lengths of the quads before relaxation
   std::vector<Site> sites;
-  std::vector<Curve> curves;
+  std::vector<Surface_curve> curves;
   std::vector<std::vector<int>> colours; ///< vertices without a common quad
 
   int number_of_vertices() const { return int(mesh.points.size()); }
   /// Unit normal of the input where the vertex is bound.
   Point normal(int v) const { return m_normals[v]; }
+  /// Whether v slides along a curve inside the surface.
+  bool on_ridge(int v) const {
+    return sites[v].freedom == Freedom::curve && !curves[std::size_t(sites[v].curve)].normals.empty();
+  }
   /// Mean length of the edges at v.
   double size_around(int v) const;
   /// Scaled Jacobian of quad q with vertex v moved by `step`; less, down to -0.7, if the quad faces away from the
@@ -81,6 +71,8 @@ public:
   Step here(int v) const { return {mesh.points[v], m_normals[v], sites[v].face, sites[v].parameter}; }
   /// `target` brought back to where v may be.
   Step constrain(int v, const Point& target) const;
+  /// v at another arc length of its curve.
+  Step on_curve(int v, double t) const;
   void move(int v, const Step& step);
 
   /// Where all vertices are, to come back to.
@@ -104,6 +96,9 @@ private:
 /// Binds the mesh's boundary vertices to the input's boundary loops. Returns how many vertices are on the
 /// boundary.
 int bind_boundary(State& state);
+/// Binds vertices to curves, but for those on the boundary.
+void bind_to_curves(State& state, const Vertex_constraints& constraints);
+
 /// What a sweep aims at.
 struct Regime {
   double evenness = 0.1;     ///< between the corners of rectangles (0) and the average of the neighbours (1)

@@ -26,22 +26,18 @@ bool is_drawable(const std::vector<Grid_point>& points, const Scene::Face& face)
   return true;
 }
 
-/// The two triangles of a face. A quad is cut along the diagonal that leaves both halves turned like the
-/// whole, else the shorter one in space.
+/// The two triangles of a face. A quad is cut along its first diagonal, which may lie on a sharp edge, unless that leaves a half turned
+/// over and the other diagonal does not.
 std::array<Corners, 2> pieces_of(const Scene& scene, const std::vector<Grid_point>& points,
                                  const Scene::Face& face) {
   const Corners none{-1, -1, -1};
   if (!is_drawable(points, face)) return {none, none};
   if (face[3] < 0) return {Corners{0, 1, 2}, none};
-  const auto area = [&](int i, int j, int k) {
-    const Grid_point& c = points[face[k]];
-    return turn(points[face[i]], points[face[j]], c.x, c.y);
-  };
-  const bool same_02 = (area(0, 1, 2) < 0) == (area(0, 2, 3) < 0);
-  const bool same_13 = (area(0, 1, 3) < 0) == (area(1, 2, 3) < 0);
-  const double d02 = (scene.points[face[0]] - scene.points[face[2]]).squaredNorm();
-  const double d13 = (scene.points[face[1]] - scene.points[face[3]]).squaredNorm();
-  if (same_02 != same_13 ? same_02 : d02 <= d13) return {Corners{0, 1, 2}, Corners{0, 2, 3}};
+  const auto p = [&](int i) -> const Point& { return scene.points[face[i]]; };
+  const Point mean = (p(2) - p(0)).cross(p(3) - p(1));
+  const auto outward = [&](int i, int j, int k) { return (p(j) - p(i)).cross(p(k) - p(i)).dot(mean) > 0; };
+  const bool first = outward(0, 1, 2) && outward(0, 2, 3), second = outward(0, 1, 3) && outward(1, 2, 3);
+  if (first || !second) return {Corners{0, 1, 2}, Corners{0, 2, 3}};
   return {Corners{0, 1, 3}, Corners{1, 2, 3}};
 }
 

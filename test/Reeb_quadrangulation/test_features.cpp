@@ -5,7 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 
-#include <set>
+#include <algorithm>
 
 using namespace CGAL::Reeb_quadrangulation;
 
@@ -43,6 +43,12 @@ Quad_mesh shifted_grid(int n, double shift, double slope = 0) {
   return mesh;
 }
 
+std::vector<char> on_curves(const Vertex_constraints& constraints, const Quad_mesh& mesh) {
+  std::vector<char> result(mesh.points.size(), 0);
+  for (const Vertex_constraints::Place& place : constraints.places) result[place.vertex] = 1;
+  return result;
+}
+
 } // namespace
 
 TEST_CASE("grid lines that run near a sharp edge come to lie on it, and nothing else moves") {
@@ -50,12 +56,14 @@ TEST_CASE("grid lines that run near a sharp edge come to lie on it, and nothing 
   const Triangle_surface input = folded_square(n);
   Quad_mesh mesh = shifted_grid(n, 0.2);
   const Quad_mesh before = mesh;
-  std::vector<char> fixed;
-  const Snap_report report = snap_to_features(mesh, Surface_projector(input), {}, fixed);
+  Vertex_constraints found;
+  const Snap_report report = snap_to_features(mesh, Surface_projector(input), {}, found);
   CHECK(report.vertices == n - 1); // the two ends are on the boundary, which is not ours to move
-  REQUIRE(fixed.size() == mesh.points.size());
+  REQUIRE(found.places.size() == std::size_t(n - 1));
+  const std::vector<char> moved = on_curves(found, mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (fixed[v]) {
+    CHECK_FALSE(found.fixed[v]);
+    if (moved[v]) {
       CHECK(mesh.points[v].x() == Approx(0.5 * n));
       CHECK(mesh.points[v].z() == Approx(0).margin(1e-12));
     } else {
@@ -68,17 +76,21 @@ TEST_CASE("no vertex is moved farther than its reach, or where a quad would beco
   const int n = 8;
   const Triangle_surface input = folded_square(n);
   Snap_options options;
-  std::vector<char> fixed;
+  options.crossings = false;
+  const auto vertices = [&](Quad_mesh& mesh) {
+    Vertex_constraints found;
+    return snap_to_features(mesh, Surface_projector(input), options, found).vertices;
+  };
   Quad_mesh far = shifted_grid(n, 0.45);
   options.reach = 0.3;
-  CHECK(snap_to_features(far, Surface_projector(input), options, fixed).vertices == 0);
+  CHECK(vertices(far) == 0);
   options.reach = 0.5;
   options.feature_angle = 100; // the fold is no feature
   Quad_mesh blunt = shifted_grid(n, 0.2);
-  CHECK(snap_to_features(blunt, Surface_projector(input), options, fixed).vertices == 0);
+  CHECK(vertices(blunt) == 0);
   options.feature_angle = 45;
   options.shortest_chain = 100; // too short to count
-  CHECK(snap_to_features(blunt, Surface_projector(input), options, fixed).vertices == 0);
+  CHECK(vertices(blunt) == 0);
 }
 
 TEST_CASE("a line that runs beside a sharp edge is laid onto it, and its neighbours give way") {
@@ -88,18 +100,19 @@ TEST_CASE("a line that runs beside a sharp edge is laid onto it, and its neighbo
   // From 0.55 steps on one side of the fold to 0.65 on the other.
   const Quad_mesh before = shifted_grid(n, -0.55, 0.12);
   Quad_mesh single = before, lines = before;
-  std::vector<char> fixed, others;
+  Vertex_constraints found, others;
   Snap_options options;
+  options.crossings = false;
+  options.shortest_chain = 3;
   snap_to_features(single, projector, options, others);
   CHECK(*quad_statistics(single, &input).covered_sharp_edges < 0.95);
   options.lines = true;
-  options.shortest_chain = 3;
-  const Snap_report report = snap_to_features(lines, projector, options, fixed);
+  const Snap_report report = snap_to_features(lines, projector, options, found);
   CHECK(report.on_lines == n - 1);
   CHECK(*quad_statistics(lines, &input).covered_sharp_edges >
         *quad_statistics(single, &input).covered_sharp_edges + 0.1);
-  for (std::size_t v = 0; v < fixed.size(); ++v)
-    if (fixed[v]) CHECK(lines.points[v].x() == Approx(0.5 * n));
+  for (const Vertex_constraints::Place& place : found.places)
+    CHECK(lines.points[place.vertex].x() == Approx(0.5 * n));
   for (const Quad& q : lines.quads)
     CHECK(scaled_jacobian(lines.points[q[0]], lines.points[q[1]], lines.points[q[2]], lines.points[q[3]]) >
           0.5);
@@ -108,15 +121,122 @@ TEST_CASE("a line that runs beside a sharp edge is laid onto it, and its neighbo
 TEST_CASE("with no reach, or no sharp edge, no line is laid") {
   const Triangle_surface input = folded_square(8);
   const Surface_projector projector(input);
-  std::vector<char> fixed;
   Snap_options options;
   options.lines = true;
+  const auto on_lines = [&] {
+    Quad_mesh far = shifted_grid(8, 0.3);
+    Vertex_constraints found;
+    return snap_to_features(far, projector, options, found).on_lines;
+  };
   options.line_reach = 0.1;
-  Quad_mesh far = shifted_grid(8, 0.3);
-  CHECK(snap_to_features(far, projector, options, fixed).on_lines == 0);
+  CHECK(on_lines() == 0);
   options.line_reach = 0.8;
   options.feature_angle = 100;
-  CHECK(snap_to_features(far, projector, options, fixed).on_lines == 0);
+  CHECK(on_lines() == 0);
+}
+
+TEST_CASE(
+    "every edge that crosses a sharp edge gets an end on it, which then runs along edges and diagonals") {
+  const int n = 10;
+  const Triangle_surface input = folded_square(n);
+  const Surface_projector projector(input);
+  // The grid's lines cross the fold obliquely: by 1.8 steps from one end to the other.
+  const Quad_mesh before = shifted_grid(n, -0.9, 0.18);
+  Snap_options options;
+  options.crossings = false;
+  Quad_mesh near = before, all = before;
+  Vertex_constraints first, second;
+  snap_to_features(near, projector, options, first);
+  turn_to_features(near, first);
+  options.crossings = true;
+  const Snap_report report = snap_to_features(all, projector, options, second);
+  CHECK(report.missed_crossings == 0);
+  CHECK(turn_to_features(all, second) > 0);
+  CHECK(*quad_statistics(all, &input).folded_sharp_edges >
+        *quad_statistics(near, &input).folded_sharp_edges + 0.1);
+  CHECK(*quad_statistics(all, &input).folded_sharp_edges > 0.75); // not at the ends, on the boundary
+  const std::vector<char> on = on_curves(second, all);
+  for (const Quad& q : all.quads)
+    for (int i = 0; i < 4; ++i) {
+      const int a = q[i], b = q[(i + 1) % 4];
+      const bool inside =
+          all.points[a].y() > 0 && all.points[a].y() < n && all.points[b].y() > 0 && all.points[b].y() < n;
+      if (inside && !on[a] && !on[b]) CHECK((all.points[a].z() < 0) == (all.points[b].z() < 0));
+    }
+  for (const Quad& q : all.quads)
+    CHECK(scaled_jacobian(all.points[q[0]], all.points[q[1]], all.points[q[2]], all.points[q[3]]) >= 0.3);
+}
+
+TEST_CASE("quads begin where their diagonal lies on a sharp edge, and are the same quads") {
+  const int n = 10;
+  const Triangle_surface input = folded_square(n);
+  Quad_mesh mesh = shifted_grid(n, -0.9, 0.18);
+  Vertex_constraints found;
+  snap_to_features(mesh, Surface_projector(input), {}, found);
+  const Quad_mesh before = mesh;
+  const std::vector<char> on = on_curves(found, mesh);
+  const int turned = turn_to_features(mesh, found);
+  int along = 0;
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
+    Quad quad = mesh.quads[q];
+    along += on[quad[0]] && on[quad[2]];
+    CHECK_FALSE((on[quad[1]] && on[quad[3]] && !on[quad[0]]));
+    const auto first = std::find(quad.begin(), quad.end(), before.quads[q][0]);
+    std::rotate(quad.begin(), first, quad.end());
+    CHECK(quad == before.quads[q]);
+  }
+  CHECK(along == turned);
+  CHECK(turned > 0);
+}
+
+TEST_CASE("vertices on a sharp edge slide along it while quads are relaxed, and never pass each other") {
+  const int n = 10;
+  const Triangle_surface input = folded_square(n);
+  const Surface_projector projector(input);
+  Quad_mesh mesh = shifted_grid(n, 0);
+  const auto id = [&](int x, int y) { return y * (n + 1) + x; };
+  // The middle line lies on the fold; its vertices are pushed together at one end.
+  for (int y = 1; y < n; ++y) mesh.points[id(n / 2, y)].y() = 0.1 + 0.6 * y;
+  Vertex_constraints constraints;
+  constraints.curves.push_back(make_surface_curve({Point(0.5 * n, 0, 0), Point(0.5 * n, n, 0)}, false));
+  constraints.curves[0].normals = {Point(-1, 0, 1).normalized()};
+  for (int y = 1; y < n; ++y) constraints.places.push_back({id(n / 2, y), 0, mesh.points[id(n / 2, y)].y()});
+  Vertex_constraints held;
+  held.fixed.assign(mesh.points.size(), 0);
+  for (int y = 1; y < n; ++y) held.fixed[id(n / 2, y)] = 1;
+  Quad_mesh stiff = mesh;
+  const auto slid = relax_quads(mesh, input, projector, constraints);
+  const auto stood = relax_quads(stiff, input, projector, held);
+  REQUIRE(slid);
+  REQUIRE(stood);
+  CHECK(slid->mean_after > stood->mean_after);
+  for (int y = 1; y < n; ++y) {
+    CHECK(mesh.points[id(n / 2, y)].x() == Approx(0.5 * n));
+    CHECK(mesh.points[id(n / 2, y)].z() == Approx(0).margin(1e-12));
+    CHECK(mesh.points[id(n / 2, y)].y() > mesh.points[id(n / 2, y - 1)].y());
+  }
+  CHECK(mesh.points[id(n / 2, 5)].y() > 3.5); // 3.1 before, 5 if even
+}
+
+TEST_CASE("the arc length of a point of a curve is found again, on closed curves beyond the ends too") {
+  const Surface_curve square = make_surface_curve(
+      {Point(0, 0, 0), Point(1, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 0, 0)}, true);
+  CHECK(square.length() == 4);
+  CHECK(square.points.size() == 5); // equal neighbours are taken once
+  for (int i = -20; i < 60; ++i) {
+    const double t = 0.1 * i + 0.03;
+    CHECK(square.nearest(square.at(t), t - 1.5, t + 1.5) == Approx(t));
+    CHECK((square.at(t) - square.at(t + 4)).norm() < 1e-12);
+  }
+  const Surface_curve open = make_surface_curve({Point(0, 0, 0), Point(1, 0, 0), Point(1, 2, 0)}, false);
+  CHECK(open.at(-1) == Point(0, 0, 0));
+  CHECK(open.at(5) == Point(1, 2, 0));
+  CHECK(open.tangent(2) == Point(0, 1, 0));
+  CHECK(open.nearest(Point(0.5, 1, 0), 0, 1) == Approx(0.5)); // only as far as asked
+  CHECK(open.nearest(Point(0.5, 1, 0), 1, 3) == Approx(2));
+  const Surface_curve point = make_surface_curve({Point(1, 1, 1), Point(1, 1, 1)}, true);
+  CHECK(point.at(7) == Point(1, 1, 1));
+  CHECK(point.nearest(Point(0, 0, 0), 0, 1) == 0);
 }
 
 TEST_CASE("the run keeps sharp edges of the L-shape without inverting a quad") {
@@ -132,6 +252,16 @@ TEST_CASE("the run keeps sharp edges of the L-shape without inverting a quad") {
   const Result<Quadrangulation> without = quadrangulate(*surface, options);
   REQUIRE(without);
   CHECK(without->features.vertices == 0);
-  CHECK(with->mesh.quads == without->mesh.quads); // only positions differ
+  // Only positions differ, and where quads begin.
+  REQUIRE(with->mesh.quads.size() == without->mesh.quads.size());
+  for (std::size_t q = 0; q < with->mesh.quads.size(); ++q) {
+    Quad quad = with->mesh.quads[q];
+    std::rotate(quad.begin(), std::find(quad.begin(), quad.end(), without->mesh.quads[q][0]), quad.end());
+    CHECK(quad == without->mesh.quads[q]);
+  }
+  CHECK(with->features.missed_corners == 0);
+  const double folded = *quad_statistics(with->mesh, &*surface).folded_sharp_edges;
+  CHECK(folded > 0.95);
+  CHECK(folded > *quad_statistics(without->mesh, &*surface).folded_sharp_edges + 0.3);
   CHECK(with->mesh.points != without->mesh.points);
 }

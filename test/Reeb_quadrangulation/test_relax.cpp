@@ -306,7 +306,14 @@ TEST_CASE("what cannot be relaxed is refused with a reason, and the mesh is unto
   const Surface_projector projector(input);
   Quad_mesh mesh = quads_of(input);
   const std::vector<Point> points = mesh.points;
-  CHECK(relax_quads(mesh, input, projector, {1, 0}).error().code == Error_code::impossible_request);
+  CHECK(relax_quads(mesh, input, projector, std::vector<char>{1, 0}).error().code ==
+        Error_code::impossible_request);
+  Vertex_constraints places;
+  places.places = {{0, 0, 0.0}}; // there is no curve
+  CHECK(relax_quads(mesh, input, projector, places).error().code == Error_code::impossible_request);
+  places.curves = {make_surface_curve({input.points[0], input.points[1]}, false)};
+  places.places = {{0, 0, 0.0}, {0, 0, 0.1}}; // twice
+  CHECK(relax_quads(mesh, input, projector, places).error().index == 0);
   Relax_options options;
   options.threads = 0;
   CHECK(relax_quads(mesh, input, projector, {}, options).error().code == Error_code::impossible_request);

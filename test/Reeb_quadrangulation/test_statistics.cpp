@@ -161,10 +161,21 @@ TEST_CASE("The sharp edges of a cube are covered by quads whose edges are there,
   const double covered = quad_statistics(dented, &surface).covered_sharp_edges.value();
   CHECK(covered > 0.7);
   CHECK(covered < 0.9);
+  CHECK(quad_statistics(dented, &surface).folded_sharp_edges.value() == covered);
   Statistics_options options;
   options.feature_angle = 95; // those of a cube are not sharp
   CHECK_FALSE(quad_statistics(cube, &surface, options).covered_sharp_edges);
   CHECK_FALSE(quad_statistics(cube).covered_sharp_edges);
+}
+
+TEST_CASE("A sharp edge that runs along the diagonal of a quad is folded if the quad begins there") {
+  // A square folded by a right angle along the diagonal from (0, 0, 0) to (2, 2, 0).
+  Quad_mesh mesh{{{0, 0, 0}, {1, 1, -1.4}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
+  const Triangle_surface surface{mesh.points, {{0, 1, 2}, {0, 2, 3}}, {}, {}};
+  CHECK(quad_statistics(mesh, &surface).covered_sharp_edges.value() == 0);
+  CHECK(quad_statistics(mesh, &surface).folded_sharp_edges.value() == Approx(1));
+  mesh.quads[0] = {1, 2, 3, 0};
+  CHECK(quad_statistics(mesh, &surface).folded_sharp_edges.value() < 0.2);
 }
 
 TEST_CASE("The JSON of the statistics can be read back; what is not finite is null") {

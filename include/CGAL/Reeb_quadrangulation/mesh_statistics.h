@@ -61,6 +61,10 @@ struct Mesh_statistics {
   /// The fraction of the length of the input's sharp edges that edges of quads run along: no farther from them than a twentieth of
   /// their own length, and turned by no more than 20 degrees. Absent without an input, or without a sharp edge.
   std::optional<double> covered_sharp_edges;
+
+  /// The same with the first diagonals of quads, corner 0 to corner 2, along which most programs cut them: where these run along a sharp
+  /// edge too, the surface is folded there.
+  std::optional<double> folded_sharp_edges;
 };
 
 /// What else to measure.

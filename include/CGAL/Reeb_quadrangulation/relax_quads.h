@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+#include <CGAL/Reeb_quadrangulation/Vertex_constraints.h>
 
 #include <vector>
 
@@ -56,14 +57,16 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 ///
 /// \param mesh       an oriented manifold quad mesh that lies on or near `input`
 /// \param projector  of `input`
-/// \param fixed      one entry a vertex: nonzero vertices do not move. Empty: none is fixed.
+/// \param constraints  vertices that do not move or that slide along curves; a vertex on the mesh's boundary slides there, whatever
+///                   its place on another curve
 /// \return a report, or `not_a_surface` if a quad names a vertex that does not exist or twice,
 /// `impossible_request` if
-///         `fixed` has the wrong size or an option is out of range, `cancelled` with the mesh as it was.
+///         the constraints do not fit the mesh or an option is out of range, `cancelled` with the mesh as it was.
 /// Time linear in quads x iterations, each vertex a closest-point query. Same bytes for any number of
 /// threads.
 Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
-                                 const Surface_projector& projector, const std::vector<char>& fixed = {},
+                                 const Surface_projector& projector,
+                                 const Vertex_constraints& constraints = {},
                                  const Relax_options& options = {}, Observer* observer = nullptr);
 
 } // namespace Reeb_quadrangulation
