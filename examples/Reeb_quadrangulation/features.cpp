@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the sharp edges of a shape: the run moves quad vertices onto them and onto their corners.
+// Keeps the sharp edges of a shape: the run moves quad vertices onto them and onto their corners,
+// and begins quads where their diagonal lies on one.
+#include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 
@@ -26,5 +28,8 @@ int main() {
             << features.missed_corners << " corners have no vertex near enough\n"
             << result->relaxation.inverted_after << " of " << result->mesh.quads.size()
             << " quads are inverted\n";
-  return features.vertices > 0 ? 0 : 1;
+  const Mesh_statistics statistics = quad_statistics(result->mesh, &*bar);
+  std::cout << 100 * *statistics.folded_sharp_edges
+            << " % of the sharp edges of 45 degrees run along edges or first diagonals of quads\n";
+  return features.missed_corners == 0 && *statistics.folded_sharp_edges > 0.8 ? 0 : 1;
 }

@@ -543,7 +543,12 @@ public:
   Result<Finished_quads> run(Quad_mesh mesh) const {
     Finished_quads plain;
     plain.mesh = std::move(mesh);
+    Finished_quads freer = plain; // what lies on sharp edges may go too, where quads are bad otherwise
     if (Result<void> relaxed = relax(plain, designed(plain.mesh)); !relaxed) return relaxed.error();
+    if (plain.relaxation.inverted_after + plain.relaxation.intersections_after > 0) {
+      if (Result<void> relaxed = relax(freer, held(freer.mesh)); !relaxed) return relaxed.error();
+      if (is_worse(plain.relaxation, freer.relaxation)) plain = std::move(freer);
+    }
     if (!m_features || m_features->chains.empty()) return plain;
     for (const Snap_options& way : ways()) {
       Result<Finished_quads> snapped = snap(plain, way);
@@ -593,9 +598,13 @@ private:
     return quads;
   }
 
+  // Fewer defects are always better. Sharp edges are worth a little of the quads' mean quality, but good quads stay good.
   static bool is_worse(const Relax_report& a, const Relax_report& b) {
-    return a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after ||
-           (a.worst_after < b.worst_after && a.worst_after < 0.2) || a.mean_after < b.mean_after - 0.02;
+    constexpr double good_mean = 0.9, worth = 0.03;
+    if (a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after) return true;
+    if (a.inverted_after < b.inverted_after || a.intersections_after < b.intersections_after) return false;
+    return (a.worst_after < b.worst_after && a.worst_after < 0.2) || a.mean_after < b.mean_after - worth ||
+           (a.mean_after < good_mean && b.mean_after >= good_mean);
   }
 
   std::vector<char> held(const Quad_mesh& mesh) const {
