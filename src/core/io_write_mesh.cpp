@@ -4,6 +4,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 
 #include "io_writers.h"
+#include "quad_cut.h"
 
 #include <CGAL/assertions.h>
 
@@ -170,11 +171,9 @@ std::vector<Triangle> triangles_of(const Polygon_soup& mesh) {
   for (int p = 0; p < mesh.number_of_polygons(); ++p) {
     const int* const corner = mesh.corner.data() + mesh.begin[p];
     const int size = mesh.size_of_polygon(p);
-    const auto length = [&](int i, int j) {
-      return (mesh.points[corner[i]] - mesh.points[corner[j]]).squaredNorm();
-    };
+    const auto p_of = [&](int i) -> const Point& { return mesh.points[corner[i]]; };
     // All triangles of a polygon begin at its first corner, of a quad perhaps at its second.
-    const int first = size == 4 && length(1, 3) < length(0, 2) ? 1 : 0;
+    const int first = size == 4 ? internal::first_corner_of_cut(p_of(0), p_of(1), p_of(2), p_of(3)) : 0;
     for (int i = 1; i + 1 < size; ++i)
       triangles.push_back({corner[first], corner[(first + i) % size], corner[(first + i + 1) % size]});
   }

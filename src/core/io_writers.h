@@ -23,7 +23,7 @@ template <class T> void append_little_endian(std::string& out, T value) {
   for (std::size_t i = 0; i < sizeof bits; ++i) out += char(static_cast<unsigned char>(bits >> (8 * i)));
 }
 
-/// The polygons divided into triangles: quads at their shorter diagonal, others as fans from their first corner.
+/// The polygons divided into triangles: quads by `first_corner_of_cut()`, others as fans from their first corner.
 std::vector<Triangle> triangles_of(const Polygon_soup& mesh);
 
 /// Binary glTF 2.0 with one mesh; coordinates fit into single precision.

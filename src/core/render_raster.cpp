@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render_raster.h"
 
+#include "quad_cut.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,18 +28,14 @@ bool is_drawable(const std::vector<Grid_point>& points, const Scene::Face& face)
   return true;
 }
 
-/// The two triangles of a face. A quad is cut along its first diagonal, which may lie on a sharp edge, unless that leaves a half turned
-/// over and the other diagonal does not.
+/// The two triangles of a face.
 std::array<Corners, 2> pieces_of(const Scene& scene, const std::vector<Grid_point>& points,
                                  const Scene::Face& face) {
   const Corners none{-1, -1, -1};
   if (!is_drawable(points, face)) return {none, none};
   if (face[3] < 0) return {Corners{0, 1, 2}, none};
   const auto p = [&](int i) -> const Point& { return scene.points[face[i]]; };
-  const Point mean = (p(2) - p(0)).cross(p(3) - p(1));
-  const auto outward = [&](int i, int j, int k) { return (p(j) - p(i)).cross(p(k) - p(i)).dot(mean) > 0; };
-  const bool first = outward(0, 1, 2) && outward(0, 2, 3), second = outward(0, 1, 3) && outward(1, 2, 3);
-  if (first || !second) return {Corners{0, 1, 2}, Corners{0, 2, 3}};
+  if (internal::first_corner_of_cut(p(0), p(1), p(2), p(3)) == 0) return {Corners{0, 1, 2}, Corners{0, 2, 3}};
   return {Corners{0, 1, 3}, Corners{1, 2, 3}};
 }
 

@@ -120,18 +120,26 @@ TEST_CASE("STL and glTF hold triangles, and say so when there were quads") {
   }
 }
 
-TEST_CASE("a quad is divided at its shorter diagonal") {
-  const Polygon_soup kite =
-      samples::soup({Point(0, 0, 0), Point(2, -1, 0), Point(9, 0, 0), Point(2, 1, 0)}, {{0, 1, 2, 3}});
-  const Result<Encoded_mesh> encoded = encode_mesh(kite, Mesh_format::stl);
-  REQUIRE(encoded);
-  const Result<Polygon_soup> read = parse_polygon_soup(encoded->bytes.data(), encoded->bytes.size());
-  REQUIRE(read);
-  for (int f = 0; f < 2; ++f) { // both triangles have both points of the short diagonal
-    int on_diagonal = 0;
-    for (int c = 3 * f; c < 3 * f + 3; ++c) on_diagonal += read->points[read->corner[c]][0] == 2;
-    CHECK(on_diagonal == 2);
-  }
+TEST_CASE("a quad is divided at its first diagonal, unless a half would be turned over") {
+  // How many of the six corners of the two triangles lie at p.
+  const auto corners_at = [](const Polygon_soup& quad, const Point& p) {
+    const Result<Encoded_mesh> encoded = encode_mesh(quad, Mesh_format::stl);
+    REQUIRE(encoded);
+    const Result<Polygon_soup> read = parse_polygon_soup(encoded->bytes.data(), encoded->bytes.size());
+    REQUIRE(read);
+    REQUIRE(read->number_of_polygons() == 2);
+    int number = 0;
+    for (int c : read->corner) number += read->points[c] == p;
+    return number;
+  };
+  const Point fold(0, 0, 0), far(2, 2, 0), low(2, 0, -2), high(0, 2, -2);
+  // Folded along its first diagonal, which is the longer one.
+  CHECK(corners_at(samples::soup({fold, low, far, high}, {{0, 1, 2, 3}}), fold) == 2);
+  CHECK(corners_at(samples::soup({fold, low, far, high}, {{1, 2, 3, 0}}), fold) == 1);
+  // An arrowhead, whose dent is its second corner.
+  const Point dent(2, 1, 0);
+  CHECK(corners_at(samples::soup({Point(0, 0, 0), dent, Point(4, 0, 0), Point(2, 4, 0)}, {{0, 1, 2, 3}}),
+                   dent) == 2);
 }
 
 TEST_CASE("a glTF file has the chunks and accessors that its JSON describes") {

@@ -25,7 +25,7 @@ struct Encoded_mesh {
 
 /// Encodes a mesh as OBJ, OFF, PLY, VTK legacy (polygons kept, coordinates with the fewest digits that read back
 /// to the same double), STL or binary glTF (.glb). The last two hold triangles only, and coordinates of single
-/// precision (ascii STL: double): quads are divided at their shorter diagonal, and a warning says so.
+/// precision (ascii STL: double): quads are divided at their first diagonal, or if a half would be turned over at the other one, and a warning says so.
 ///
 /// Errors: `unsupported_format` for `Mesh_format::automatic`; `impossible_request` if a coordinate is not finite or
 /// beyond what the format holds. OBJ, OFF and PLY hold the comment. \pre every corner is an index of a point; the comment is one
