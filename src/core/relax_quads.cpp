@@ -227,6 +227,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   State state(mesh, input, projector, constraints, options.threads);
   report.boundary_vertices = relaxation::bind_boundary(state);
   relaxation::bind_to_curves(state, constraints);
+  state.colour_vertices();
   const State::Snapshot placed = state.snapshot();
   const Quality on_surface = measure(mesh);
   for (int i = 0; i < options.iterations; ++i) {

@@ -100,19 +100,6 @@ State::State(Quad_mesh& m, const Triangle_surface& in, const Surface_projector& 
   for (int q = 0; q < int(mesh.quads.size()); ++q)
     for (int i = 0; i < 4; ++i) corners[end[mesh.quads[q][i]]++] = 4 * q + i;
 
-  // First-fit colouring in the order of the indices.
-  std::vector<int> colour(nv, -1), seen;
-  for (int v = 0; v < nv; ++v) {
-    if (first[v] == first[v + 1]) continue;
-    seen.assign(colours.size() + 1, 0);
-    for (int k = first[v]; k < first[v + 1]; ++k)
-      for (int w : mesh.quads[corners[k] / 4])
-        if (colour[w] >= 0) seen[colour[w]] = 1;
-    colour[v] = int(std::find(seen.begin(), seen.end(), 0) - seen.begin());
-    if (colour[v] == int(colours.size())) colours.emplace_back();
-    colours[colour[v]].push_back(v);
-  }
-
   m_normals.assign(nv, Point::Zero());
   for (const Quad& q : mesh.quads) {
     const auto& p = mesh.points;
@@ -120,6 +107,26 @@ State::State(Quad_mesh& m, const Triangle_surface& in, const Surface_projector& 
                                 (0.25 * (p[q[3]] - p[q[0]] + p[q[2]] - p[q[1]])).norm()});
   }
   place_on_surface();
+}
+
+// First-fit in the order of the indices.
+void State::colour_vertices() {
+  colours.clear();
+  std::vector<int> colour(mesh.points.size(), -1), seen;
+  const auto see = [&](int w) {
+    if (w >= 0 && colour[w] >= 0) seen[colour[w]] = 1;
+  };
+  for (int v = 0; v < number_of_vertices(); ++v) {
+    if (first[v] == first[v + 1]) continue;
+    seen.assign(colours.size() + 1, 0);
+    for (int k = first[v]; k < first[v + 1]; ++k)
+      for (int w : mesh.quads[corners[k] / 4]) see(w);
+    see(sites[v].previous);
+    see(sites[v].next);
+    colour[v] = int(std::find(seen.begin(), seen.end(), 0) - seen.begin());
+    if (colour[v] == int(colours.size())) colours.emplace_back();
+    colours[colour[v]].push_back(v);
+  }
 }
 
 // Breadth first, so that each vertex finds its face from a neighbour's.

@@ -50,8 +50,10 @@ public:
   std::vector<std::array<double, 2>> original_lengths; ///< half edge lengths of the quads before relaxation
   std::vector<Site> sites;
   std::vector<Surface_curve> curves;
-  std::vector<std::vector<int>> colours; ///< vertices without a common quad
+  std::vector<std::vector<int>> colours; ///< by `colour_vertices()`: vertices that may move at the same time
 
+  /// Parts vertices with a common quad, and neighbours on a curve, which bound each other. After all are bound.
+  void colour_vertices();
   int number_of_vertices() const { return int(mesh.points.size()); }
   /// Unit normal of the input where the vertex is bound.
   Point normal(int v) const { return m_normals[v]; }

@@ -218,6 +218,27 @@ TEST_CASE("vertices on a sharp edge slide along it while quads are relaxed, and 
   CHECK(mesh.points[id(n / 2, 5)].y() > 3.5); // 3.1 before, 5 if even
 }
 
+TEST_CASE(
+    "vertices that slide give the same bytes with one thread and with several, whatever quads they share") {
+  const int n = 60;
+  const Triangle_surface input = folded_square(n);
+  const Surface_projector projector(input);
+  const Quad_mesh mesh = shifted_grid(n, 0);
+  Vertex_constraints constraints;
+  constraints.curves.push_back(make_surface_curve({Point(0.5 * n, 0, 0), Point(0.5 * n, n, 0)}, false));
+  constraints.curves[0].normals = {Point(-1, 0, 1).normalized()};
+  // Every second vertex of the middle line slides, so neighbours on the curve share no quad, and pushed together, so that they bound each other.
+  for (int y = 2; y < n - 1; y += 2) constraints.places.push_back({y * (n + 1) + n / 2, 0, 0.55 * y + 0.2});
+  Relax_options one, four;
+  four.threads = 4;
+  for (int run = 0; run < 5; ++run) {
+    Quad_mesh a = mesh, b = mesh;
+    REQUIRE(relax_quads(a, input, projector, constraints, one));
+    REQUIRE(relax_quads(b, input, projector, constraints, four));
+    CHECK(a.points == b.points);
+  }
+}
+
 TEST_CASE("the arc length of a point of a curve is found again, on closed curves beyond the ends too") {
   const Surface_curve square = make_surface_curve(
       {Point(0, 0, 0), Point(1, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 0, 0)}, true);
