@@ -170,14 +170,25 @@ test("what is odd about a file is listed, and a click flies there", async () => 
 });
 
 test("a long work is stopped by Cancel, and everything is as it was", async () => {
-  await studio.upload(studio.shape("hand", 150000));
+  await studio.upload(studio.shape("hand", 400000));
   const before = await studio.state();
-  await studio.page.click("#suggest");
-  await studio.page.waitForSelector(".progress:not([hidden])");
-  const begin = Date.now();
-  await studio.page.click(".progress button");
-  await studio.page.waitForSelector(".toast:has-text('Stopped')");
-  const told = Date.now() - begin;
+  // Cancel is pressed by the page itself as soon as it can be seen: however busy the browser is, the work goes on by then.
+  const told = await studio.page.evaluate(() => new Promise((resolve) => {
+    let begin = 0;
+    const bar = document.querySelector(".progress");
+    const watch = new MutationObserver(() => {
+      if (!begin && !bar.hidden) {
+        begin = performance.now();
+        bar.querySelector("button").click();
+      }
+      const stopped = [...document.querySelectorAll(".toast")].some((toast) => toast.textContent.includes("Stopped"));
+      if (!begin || !stopped) return;
+      watch.disconnect();
+      resolve(performance.now() - begin);
+    });
+    watch.observe(document.body, { subtree: true, childList: true, attributes: true });
+    document.querySelector("#suggest").click();
+  }));
   await studio.page.waitForFunction(() => !window.studio.store.get("busy"), null, { timeout: 60000 });
   assert.ok(told < 2000, `${told} ms`); // with the browser's own time; the program answers at once
   assert.equal((await studio.state()).revision, before.revision);
