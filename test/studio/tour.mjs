@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the ten pictures of the manual's page on the studio: studio_01.png to studio_10.png in STUDIO_ARTEFACTS.
+// Makes the pictures of the manual's page on the studio in STUDIO_ARTEFACTS: studio_01.png to studio_10.png, and studio_08_saddle.png.
 import { Studio } from "./harness.mjs";
 
 const studio = await Studio.start({ theme: "light", width: 1180, height: 740 });
 let number = 0;
-const take = async () => {
+const take = async (name = String(++number).padStart(2, "0")) => {
   await studio.page.evaluate(() => document.querySelectorAll(".toast").forEach((toast) => toast.remove()));
-  await studio.picture(`studio_${String(++number).padStart(2, "0")}`);
+  await studio.picture(`studio_${name}`);
 };
 const point = (find) => studio.page.evaluate(find);
 
@@ -41,6 +41,22 @@ const contour = await point(() => {
 });
 await studio.clickAt(contour);
 await take();
+await studio.page.keyboard.press("Escape");
+await studio.tool("plane");
+await studio.page.click('[data-choice="saddle"]');
+const saddle = await point(() => {
+  const { stage, viewport } = window.studio;
+  const seen = stage.critical.filter((c) => c.kind === 1 && stage.criticalAt({ clientX: viewport.project(c.position).x, clientY: viewport.project(c.position).y }) === c);
+  return seen[0].position.toArray();
+});
+await studio.clickAt(saddle);
+const { x, y } = await studio.screen(saddle);
+await studio.page.mouse.move(x, y);
+await studio.page.mouse.down();
+await studio.page.mouse.move(x + 12, y + 4, { steps: 3 });
+await studio.page.mouse.up();
+await studio.page.waitForTimeout(600);
+await take("08_saddle");
 await studio.tool("pole", "Halves");
 await take();
 await studio.tool("texture");

@@ -24,6 +24,23 @@ Result<Edit> parse_edit(const Json& edit) {
   return edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+/// The contours of a design that another one does not have, each as x, y, z of its points relative to `origin`.
+Json new_contours(const Triangle_surface& surface, const Contour_network& before, const Contour_network& after,
+                  const Point& origin) {
+  Json contours = Json::array();
+  for (std::size_t e = 0; e < after.edges.size(); ++e) {
+    const Contour_edge& edge = after.edges[e];
+    if (after.is_removed(edge) || (e < before.edges.size() && !before.is_removed(before.edges[e]))) continue;
+    std::vector<float> points;
+    for (const int v : edge.vertices) {
+      const Point p = after.position(surface, v) - origin;
+      points.insert(points.end(), {float(p.x()), float(p.y()), float(p.z())});
+    }
+    contours.push_back(std::move(points));
+  }
+  return contours;
+}
+
 /// Adds points on the surface by which edits name the quads, edges and corners of a texture.
 void add_names(Frame& frame, const Design_chart& chart, const Point& origin) {
   const Quad_texture& texture = chart.texture.texture;
@@ -125,7 +142,9 @@ Result<Json> Workpiece::preview(const Json& edit, Observer* observer) const {
   if (!parsed) return parsed.error();
   Result<Design> design = m_editor.preview(*parsed, observer);
   if (!design) return design.error();
-  return Json{{"charts", design->charts.size()}};
+  return Json{{"charts", design->charts.size()},
+              {"contours", new_contours(m_editor.working_surface(), m_editor.design().network,
+                                        design->network, m_origin)}};
 }
 
 Result<Json> Workpiece::hints(Observer* observer) const {

@@ -161,13 +161,32 @@ export class Stage {
     return best;
   }
 
-  choose(contour: Contour | null): void {
+  /** The contours that begin or end at a saddle. */
+  contoursAt(saddle: CriticalPoint): Contour[] {
+    const isThere = (p: THREE.Vector3): boolean => p.distanceTo(saddle.position) < 1e-6 * this.surface.radius;
+    return this.contours.filter(({ points }) => isThere(points[0]!) || isThere(points.at(-1)!));
+  }
+
+  /** The saddle at the end of a contour that is the nearest to a point. */
+  saddleOf(contour: Contour, near: THREE.Vector3): CriticalPoint | null {
+    const ends = this.critical.filter((c) => c.kind === 1 && this.contoursAt(c).includes(contour));
+    return ends.sort((a, b) => a.position.distanceToSquared(near) - b.position.distanceToSquared(near))[0] ?? null;
+  }
+
+  /** Lets contours shine. */
+  choose(chosen: readonly Contour[]): void {
     const pairs: number[] = [];
-    if (contour)
-      for (let i = 0; i + 1 < contour.points.length; ++i) pairs.push(...contour.points[i]!.toArray(), ...contour.points[i + 1]!.toArray());
+    for (const { points } of chosen)
+      for (let i = 0; i + 1 < points.length; ++i) pairs.push(...points[i]!.toArray(), ...points[i + 1]!.toArray());
     this.chosenContour.set(new Float32Array(pairs));
-    this.chosenContour.show(contour !== null);
+    this.chosenContour.show(chosen.length > 0);
     this.viewport.invalidate();
+  }
+
+  /** Lets the contour under the pointer shine. */
+  chooseAt(event: { clientX: number; clientY: number }): void {
+    const contour = this.contourAt(event);
+    this.choose(contour ? [contour] : []);
   }
 
   private isInSight(point: THREE.Vector3): boolean {
@@ -187,13 +206,13 @@ export class Stage {
       for (let p = begin[i]!; p < begin[i + 1]!; ++p) line.push(new THREE.Vector3().fromArray(points, 3 * p));
       return { edge, kind: kinds[i] ?? "regular", count: counts[i] ?? 0, points: line };
     });
-    this.choose(null);
+    this.choose([]);
   }
 
   private clearContours(): void {
     this.contours = [];
     this.contourLines.set(new Float32Array());
-    this.choose(null);
+    this.choose([]);
   }
 
   private setCritical(frame: Frame): void {

@@ -210,6 +210,15 @@ export class Surface {
     return found ? this.normalIn(found.faceIndex, found.point, new THREE.Vector3()).normalize() : undefined;
   }
 
+  /** The vertex nearest to a point of the surface, of the face that the point lies in, and its normal. */
+  vertexNear(point: THREE.Vector3): { point: THREE.Vector3; normal: THREE.Vector3 } | null {
+    const found = this.isEmpty ? null : (this.picker().geometry.boundsTree as MeshBVH).closestPointToPoint(point);
+    if (!found) return null;
+    const corners = Array.from(this.triangles.subarray(3 * found.faceIndex, 3 * found.faceIndex + 3));
+    const [nearest] = corners.sort((a, b) => this.vertex(a).distanceToSquared(point) - this.vertex(b).distanceToSquared(point)) as [number];
+    return { point: this.vertex(nearest), normal: new THREE.Vector3().fromArray(this.normals, 3 * nearest) };
+  }
+
   /** The search tree takes a while on large surfaces: called when there is time. */
   prepare(): void {
     if (!this.isEmpty) this.picker();

@@ -22,10 +22,10 @@ export class DragContourTool implements Tool {
     if (!this.app.store.get("layers").has("contours")) this.app.setView("atlas");
   }
   end(): void {
-    this.app.stage.choose(null);
+    this.app.stage.choose([]);
   }
   hover(event: PointerEvent): void {
-    this.app.stage.choose(this.app.stage.contourAt(event));
+    this.app.stage.chooseAt(event);
   }
   press(event: PointerEvent): boolean {
     this.grabbed = pick(this.app, event, "contour");

@@ -135,7 +135,7 @@ export class GuidedTool implements Tool {
   hover(event: PointerEvent): void {
     const step = this.variant.steps[this.picked.length];
     if (step?.target === "surface") this.app.stage.setHovered(pick(this.app, event, "surface")?.chart ?? -1);
-    if (step?.target === "contour") this.app.stage.choose(this.app.stage.contourAt(event));
+    if (step?.target === "contour") this.app.stage.chooseAt(event);
   }
 
   click(event: PointerEvent): void {
@@ -170,7 +170,7 @@ export class GuidedTool implements Tool {
     this.picked = [];
     this.notice = "";
     this.drawMarks();
-    this.app.stage.choose(null);
+    this.app.stage.choose([]);
   }
 
   private showBox(): void {
