@@ -25,8 +25,8 @@ Result<Edit> parse_edit(const Json& edit) {
 }
 
 /// The contours of a design that another one does not have, each as x, y, z of its points relative to `origin`.
-Json new_contours(const Triangle_surface& surface, const Contour_network& before, const Contour_network& after,
-                  const Point& origin) {
+Json new_contours(const Triangle_surface& surface, const Contour_network& before,
+                  const Contour_network& after, const Point& origin) {
   Json contours = Json::array();
   for (std::size_t e = 0; e < after.edges.size(); ++e) {
     const Contour_edge& edge = after.edges[e];

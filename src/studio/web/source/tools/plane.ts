@@ -195,7 +195,7 @@ export class PlaneTool implements Tool {
     const radius = Math.max(...held.contours.flatMap(({ points }) => points.map((p) => p.distanceTo(middle))));
     this.plane.position.copy(middle);
     this.face(normal);
-    this.plane.scale.setScalar(2.6 * radius);
+    this.plane.scale.setScalar((held.saddle ? 1.4 : 2.6) * radius);
     this.plane.visible = true;
     this.gizmo.attach(this.plane);
     this.gizmo.setMode("rotate");
