@@ -88,8 +88,15 @@ test("an impossible place is red and says why, and applying it changes nothing",
   assert.match(await studio.page.innerText(".hint-line"), /refused/);
   await studio.picture("plane_refused");
   await studio.page.keyboard.press("Enter");
-  assert.match(await studio.toast(), /did not work/i);
+  assert.match(await studio.toast(), /did not work.*Nothing was changed: try another place/is);
   assert.equal((await studio.state()).revision, revision);
+  // Where it is: the camera flies there, the place is marked, and the mark goes with the message.
+  const marks = () => studio.page.evaluate(() => window.studio.viewport.scene.children.filter((o) => o.isPoints && o.renderOrder === 11).length);
+  await studio.page.locator(".toast button", { hasText: "Show" }).click();
+  assert.equal(await marks(), 1);
+  await studio.picture("refused_where");
+  await studio.page.locator(".toast button[aria-label=Dismiss]").click();
+  assert.equal(await marks(), 0);
 });
 
 test("a saddle is moved with all its contours, and only to where they can follow", async () => {
@@ -143,6 +150,7 @@ test("a saddle becomes two half-saddles", async () => {
   const state = await studio.after(() => studio.clickOn(saddle, 0.5)); // from inside the hole
   assert.equal((await critical(3)).length, 2);
   assert.equal(state.budget.interior["6"], 2);
+  await studio.lookAt(saddle, (await studio.normalAt(saddle)).map((x, i) => x + (i === 2 ? 0.6 : 0)), 1.6);
   await studio.picture("half_saddles");
 });
 
@@ -164,6 +172,7 @@ test("counts of a chart by its box, and its texture beside it", async () => {
   const state = await studio.after(() => studio.page.press("#rows", "Enter"));
   assert.equal(state.facts.charts.find((c) => c.id === tube.id).rows, tube.rows + 3);
   await studio.view("atlas");
+  await studio.face(await studio.insideTallestTube());
   await studio.page.hover(".chart-view canvas");
   await studio.picture("chart_view");
 });

@@ -133,12 +133,53 @@ test("the light theme", async () => {
   await studio.picture("light_quads");
 });
 
+test("the camera is moved by keys and by two fingers on a touchpad", async () => {
+  const camera = () => studio.page.evaluate(() => {
+    const { camera, controls } = window.studio.viewport;
+    return { target: controls.target.toArray(), distance: camera.position.distanceTo(controls.target), direction: camera.position.clone().sub(controls.target).normalize().toArray() };
+  });
+  const far = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+  const after = async (act) => {
+    await act();
+    await studio.settle();
+    return camera();
+  };
+  const { keyboard, mouse } = studio.page;
+  await keyboard.press("h");
+  await studio.page.waitForTimeout(500);
+  await studio.page.focus(".canvas canvas");
+  const begin = await camera(), turned = await after(() => keyboard.press("Shift+ArrowLeft"));
+  assert.ok(far(turned.direction, begin.direction) > 0.01);
+  const moved = await after(() => keyboard.press("ArrowLeft"));
+  assert.ok(far(moved.target, turned.target) > 0.001);
+  const near = await after(() => keyboard.press("+"));
+  assert.ok(near.distance < 0.95 * moved.distance);
+  await mouse.move(600, 400);
+  const slid = await after(() => mouse.wheel(60, 4));
+  assert.ok(far(slid.target, near.target) > 0.01 && Math.abs(slid.distance - near.distance) < 0.01 * near.distance);
+  const zoomed = await after(() => mouse.wheel(0, -200));
+  assert.ok(zoomed.distance < slid.distance);
+  await mouse.dblclick(600, 430);
+  await studio.page.waitForTimeout(500);
+  const focused = await camera();
+  assert.ok(far(focused.target, zoomed.target) > 0.01 && focused.distance < zoomed.distance);
+  await keyboard.press("h");
+  await studio.page.waitForTimeout(500);
+});
+
 test("the page stays usable at 200 %", async () => {
-  await studio.page.setViewportSize({ width: 700, height: 860 });
-  await studio.picture("narrow");
-  assert.ok(await studio.page.isVisible("#open"));
-  const { width } = await studio.page.locator(".canvas").boundingBox();
-  assert.ok(width > 400);
+  for (const [name, width, height] of [["narrow", 700, 860], ["enlarged", 700, 430]]) {
+    await studio.page.setViewportSize({ width, height });
+    await studio.tool("plane");
+    await studio.page.keyboard.press("h");
+    await studio.page.waitForTimeout(500);
+    await studio.picture(name);
+    for (const control of ["#open", "#export", "#apply-plane", '[data-view="quality"]']) assert.ok(await studio.page.isVisible(control), control);
+    const canvas = await studio.page.locator(".canvas").boundingBox(), box = await studio.page.locator(".tool-box").boundingBox();
+    assert.ok(canvas.width > 400 && canvas.height > 300, JSON.stringify(canvas));
+    assert.ok(box.y + box.height <= canvas.y + canvas.height, "the tool's controls are all in the view");
+    await studio.tool("select");
+  }
 });
 
 test("the page reported no errors", () => assert.deepEqual(studio.errors.filter((e) => !/WebSocket|ERR_CONNECTION|422/.test(e)), []));

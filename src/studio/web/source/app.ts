@@ -36,6 +36,13 @@ import { Toasts } from "./ui/toasts";
 import { showView, viewsBar } from "./ui/views_bar";
 import { welcome } from "./ui/welcome";
 
+/** What to do when an edit fails so; what fails otherwise is about a file. */
+const advice: Record<string, string> = {
+  "the edit is refused": "Nothing was changed: try another place.",
+  "the request cannot be met": "Nothing was changed.",
+  "no integer sampling exists": "Nothing was changed: free a count, or ask for more quads.",
+};
+
 /** Commands after which an earlier failure is of no interest. */
 const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "component"]);
 
@@ -49,6 +56,7 @@ export class App {
   readonly chartView: ChartView;
   private readonly drags: DragEdits;
   private findingMark: PlaceMark | null = null;
+  private toastMark: PlaceMark | null = null;
   private readonly hintsHost = h("div", {});
   /** The file and the part of it that is shown. */
   private shown = "";
@@ -67,11 +75,12 @@ export class App {
     const canvasHost = h("div", { className: "canvas" });
     const overlay = h("div", { className: "overlay" });
     const openMesh = openDialog(this.connection, (file) => void this.upload(file), (name) => void this.openFile(name));
+    this.toasts = new Toasts();
     const help = this.makeShell(root, canvasHost, overlay, openMesh);
-    this.toasts = new Toasts(document.body);
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
     this.findingMark = new PlaceMark(this.viewport);
+    this.toastMark = new PlaceMark(this.viewport);
     this.tools = new ToolBox(this, overlay);
     this.chartView = new ChartView(this);
     overlay.append(this.chartView.panel);
@@ -118,8 +127,20 @@ export class App {
   tell(error: unknown): void {
     if (error instanceof RequestError && error.failure.cancelled) return this.toasts.show("Stopped", "Everything is as it was before.");
     const message = error instanceof Error ? error.message : String(error);
-    const where = error instanceof RequestError && error.failure.element !== "none" ? ` (${error.failure.element} ${error.failure.index})` : "";
-    this.toasts.show("That did not work", capital(message) + where, "bad");
+    if (!(error instanceof RequestError)) return this.toasts.show("That did not work", capital(message), "bad");
+    const { element, index, code } = error.failure, place = code in advice ? this.placeOf(element, index) : null;
+    const where = index < 0 || place ? "" : ` (${element} ${index})`;
+    const show = place && { name: "Show", run: () => (this.flyTo(place), this.toastMark?.show(place)) };
+    this.toasts.show("That did not work", [capital(message) + where, advice[code] ?? ""].join(". "), "bad", show ?? undefined, () => this.toastMark?.show(null));
+  }
+
+  /** Where an element of the surface or of the design is. */
+  private placeOf(element: string, index: number): THREE.Vector3 | null {
+    const { surface, contours } = this.stage;
+    const vertex = element === "vertex" ? index : element === "face" ? surface.triangles[3 * index] : -1;
+    if (vertex !== undefined && vertex >= 0 && 3 * vertex < surface.positions.length) return surface.vertex(vertex);
+    const line = element === "contour" ? contours.find((c) => c.edge === index)?.points : undefined;
+    return line?.[line.length >> 1] ?? null;
   }
 
   async upload(file: File): Promise<void> {
@@ -197,7 +218,7 @@ export class App {
     this.store.watch(["layers"], () => this.stage.show(this.store.get("layers")));
     this.store.watch(["chart"], () => this.stage.setSelected(this.store.get("chart")));
     const shortcuts = this.shortcuts(openMesh);
-    const showKeys = keyboardHelp(shortcuts);
+    const showKeys = keyboardHelp(shortcuts, this.tools.keyNotes());
     help.onclick = showKeys;
     listenToKeys([...shortcuts, { keys: "?", about: "this list", group: "Studio", run: showKeys }]);
     canvasHost.addEventListener("dblclick", (event) => {
@@ -220,6 +241,8 @@ export class App {
       { keys: "Ctrl+y", about: "redo", group: "Studio", run: () => void this.ask("redo") },
       { keys: "Ctrl+e", about: "export the quads", group: "Studio", run: () => void this.download("obj", `${this.baseName}_quads.obj`) },
       { keys: "h", about: "see everything", group: "Camera", run: () => this.viewport.fit(this.stage.surface.positions, true) },
+      { keys: "+", about: "nearer", group: "Camera", run: () => this.viewport.zoom(1.2) },
+      { keys: "-", about: "further away", group: "Camera", run: () => this.viewport.zoom(1 / 1.2) },
       { keys: "Escape", about: "stop the tool", group: "Tools", run: () => this.tools.escape() },
     ];
     const layers = layerList.map((layer) => ({
@@ -269,7 +292,7 @@ export class App {
         this.store, (where, radius) => this.flyTo(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
       ), false),
     );
-    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), welcome(this.store, openMesh, () => void this.ask("restore")));
+    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), this.toasts.element, welcome(this.store, openMesh, () => void this.ask("restore")));
     root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));
     return help;
   }

@@ -11,7 +11,7 @@ export class Lines {
   readonly object: LineSegments2;
   segments = 0;
 
-  constructor(width: number, colour: number, options: { hidden?: boolean; opacity?: number } = {}) {
+  constructor(width: number, private readonly colour: number, options: { hidden?: boolean; opacity?: number } = {}) {
     this.material = new LineMaterial({
       color: colour,
       linewidth: width,
@@ -41,8 +41,10 @@ export class Lines {
     this.object.visible = visible && this.segments > 0;
   }
 
-  setXray(on: boolean): void {
+  /** Seen through a surface; in contrast to the ground then. */
+  setXray(on: boolean, isDark: boolean): void {
     this.material.depthTest = !on;
+    this.material.color.setHex(on && isDark ? 0xd5dde8 : this.colour);
   }
 }
 

@@ -18,16 +18,25 @@ const light = /* glsl */ `
     return result;
   }`;
 
-/** The eye's direction, and how much of a see-through surface is seen: more towards its rim. */
+/** What one looks through has to stand out from the ground, and so have lines on it. */
+const seeThrough = { tint: { value: 1 }, ink: { value: new THREE.Vector3() } };
+
+export function setGround(isDark: boolean): void {
+  seeThrough.tint.value = isDark ? 1 : 0.6;
+  seeThrough.ink.value.setScalar(isDark ? 0.92 : 0.1);
+}
+
+/** The colour, of which `line` is covered by a line; of what is seen through, more towards the rim, and not lit: whichever face is drawn first. */
 const shade = /* glsl */ `
-  uniform float opacity;
+  uniform float opacity, tint;
+  uniform vec3 ink;
   varying vec3 vNormal2, vPosition;
   ${light}
-  vec4 shaded(vec3 colour) {
+  vec4 shaded(vec3 colour, float line) {
     vec3 toEye = normalize(-vPosition);
+    if (opacity >= 1.0) return vec4(lit(mix(colour, vec3(0.13, 0.12, 0.15), line), vNormal2, toEye), 1.0);
     float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
-    float alpha = opacity < 1.0 ? clamp(opacity + 0.55 * rim * rim, 0.0, 1.0) : 1.0;
-    return vec4(lit(colour, vNormal2, toEye), alpha);
+    return vec4(mix(tint * colour, ink, line), max(opacity + 0.6 * rim * rim * rim, 0.8 * line));
   }`;
 
 const place = /* glsl */ `
@@ -59,6 +68,7 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
       lowest: { value: 0 },
       highest: { value: 1 },
       opacity: { value: 1 },
+      ...seeThrough,
       hovered: { value: -1 },
       selected: { value: -1 },
       accent: { value: new THREE.Vector3(0.37, 0.7, 1) },
@@ -93,16 +103,16 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
       void main() {
         float t = (vField - lowest) / max(highest - lowest, 1e-12);
         vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? (vChart < 0.0 ? vec3(0.6) : palette[int(mod(vChart + 0.5, float(PALETTE)))]) : clay;
+        float line = 0.0;
         if (isolines > 0.0) {
           float s = t * isolines;
           float width = fwidth(s);
           float distance_ = abs(fract(s - 0.5) - 0.5) / max(width, 1e-6);
-          float line = (1.0 - smoothstep(0.5, 1.5, distance_)) * (1.0 - smoothstep(0.25, 0.6, width));
-          colour = mix(colour, vec3(0.13, 0.12, 0.15), 0.62 * line);
+          line = 0.62 * (1.0 - smoothstep(0.5, 1.5, distance_)) * (1.0 - smoothstep(0.25, 0.6, width));
         }
         if (selected >= 0.0 && abs(vChart - selected) < 0.5) colour = mix(colour, accent, 0.42);
         else if (hovered >= 0.0 && abs(vChart - hovered) < 0.5) colour = mix(colour, vec3(1.0), 0.28);
-        gl_FragColor = shaded(colour);
+        gl_FragColor = shaded(colour, line);
       }`,
     ...behindLines,
   });
@@ -110,7 +120,7 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
 
 export function quadMaterial(): THREE.ShaderMaterial {
   return new THREE.ShaderMaterial({
-    uniforms: { opacity: { value: 1 } },
+    uniforms: { opacity: { value: 1 }, ...seeThrough },
     vertexShader: /* glsl */ `
       attribute vec3 colour;
       varying vec3 vColour;
@@ -123,7 +133,7 @@ export function quadMaterial(): THREE.ShaderMaterial {
       varying vec3 vColour;
       ${shade}
       void main() {
-        gl_FragColor = shaded(vColour);
+        gl_FragColor = shaded(vColour, 0.0);
       }`,
     ...behindLines,
   });

@@ -89,7 +89,9 @@ export class Quads {
     if (this.irregular) this.irregular.visible = valences && !this.isEmpty;
   }
 
-  setXray(on: boolean): void {
+  setXray(on: boolean, isDark: boolean): void {
+    this.edges.setXray(on, isDark);
+    this.edges.material.opacity = on ? 0.4 : 0.8;
     const material = this.faces.material;
     if (material.transparent === on) return;
     material.uniforms.opacity!.value = on ? 0.12 : 1;

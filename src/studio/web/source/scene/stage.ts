@@ -5,7 +5,7 @@ import { bytesOf, floats, indices, integers, type Frame } from "../net/frame";
 import { criticalColours } from "./colours";
 import type { LayerId } from "./layers";
 import { Lines, markers, polylinePairs } from "./lines";
-import { markerMaterial, Shape, SurfaceColour } from "./materials";
+import { markerMaterial, setGround, Shape, SurfaceColour } from "./materials";
 import { Others } from "./others";
 import { edgePairs, Quads } from "./quads";
 import { Surface } from "./surface";
@@ -101,22 +101,21 @@ export class Stage {
     const colour = on("charts") ? SurfaceColour.charts : on("field") ? SurfaceColour.field : SurfaceColour.plain;
     this.surface.group.visible = !this.surface.isEmpty && (on("surface") || (this.quads.isEmpty && on("quads")));
     this.surface.setColour(colour, on("isolines") ? 40 : 0);
-    const seeThrough = on("xray") || on("reeb");
+    const seeThrough = on("xray") || on("reeb"), isDark = document.documentElement.dataset.theme === "dark";
+    setGround(isDark);
     this.surface.setXray(seeThrough);
-    this.quads.setXray(seeThrough);
+    this.quads.setXray(seeThrough, isDark);
     this.quads.setColour(on("quality") ? "quality" : on("charts") ? "charts" : "plain");
     this.quads.show(on("quads"), on("valences"));
     this.contourLines.show(on("contours"));
-    this.contourLines.setXray(seeThrough);
-    // Dark on the surface; where one looks through it, in contrast to the ground.
-    const isDark = document.documentElement.dataset.theme === "dark";
-    this.contourLines.material.color.setHex(seeThrough && isDark ? 0xd5dde8 : 0x16181d);
+    this.contourLines.setXray(seeThrough, isDark);
     if (on("textures") && this.textures) {
       this.textureLines.set(this.surface.drape(this.textures));
       this.textures = null;
     }
     this.textureLines.show(on("textures"));
-    this.textureLines.setXray(seeThrough);
+    this.textureLines.setXray(seeThrough, isDark);
+    this.textureLines.material.opacity = seeThrough ? 0.5 : 0.85;
     this.reebLines.show(on("reeb"));
     if (this.criticalPoints) this.criticalPoints.visible = on("critical");
     this.criticalMaterial.depthTest = !seeThrough;

@@ -14,7 +14,7 @@ export interface Hit {
 const hidden = -2; // the chart of a face that is drawn in pieces
 
 /** How many lines are laid onto the surface, how often one is halved, and how far beside it is too far, of the radius. */
-const mostDraped = 40000, mostHalvings = 4, drapeTolerance = 4e-4;
+const mostDraped = 40000, mostHalvings = 5, drapeTolerance = 2e-4;
 
 interface Cuts {
   /** Of the vertices on contours, which are numbered after the surface's. */

@@ -38,6 +38,10 @@ export class Viewport {
     this.controls.dampingFactor = 0.18;
     this.controls.zoomSpeed = 1.4;
     this.controls.addEventListener("change", () => this.invalidate());
+    this.controls.keyPanSpeed = 24;
+    this.controls.keyRotateSpeed = 16;
+    this.controls.listenToKeyEvents(this.canvas);
+    host.addEventListener("wheel", (event) => this.slide(event), { capture: true, passive: false });
     this.renderer.domElement.tabIndex = 0;
     this.renderer.domElement.setAttribute("aria-label", "The surface in space");
     new ResizeObserver(() => this.resize()).observe(host);
@@ -46,6 +50,12 @@ export class Viewport {
 
   get canvas(): HTMLCanvasElement {
     return this.renderer.domElement;
+  }
+
+  /** Comes nearer by a factor above 1, else goes away. */
+  zoom(factor: number): void {
+    this.controls.dollyIn(1 / factor);
+    this.invalidate();
   }
 
   /** Asks for a new picture. */
@@ -141,6 +151,15 @@ export class Viewport {
     return new Promise((resolve, reject) => {
       this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The browser makes no picture."))), "image/png");
     });
+  }
+
+  /** Two fingers that move sideways on a touchpad, or any way with Shift, move what is seen; other turns of a wheel zoom. */
+  private slide(event: WheelEvent): void {
+    if (event.ctrlKey || (!event.shiftKey && Math.abs(event.deltaX) < 2 * Math.abs(event.deltaY)) || !this.controls.enabled) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.controls.pan(-event.deltaX, -event.deltaY);
+    this.invalidate();
   }
 
   private resize(): void {

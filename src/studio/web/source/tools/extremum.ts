@@ -3,6 +3,7 @@ import type { App } from "../app";
 import type { CriticalPoint } from "../scene/stage";
 import { h } from "../ui/dom";
 import { icons } from "../ui/icons";
+import type { KeyNotes } from "../ui/keyboard";
 import { pick, surfacePoint } from "./pick";
 import type { Tool } from "./tool";
 
@@ -12,6 +13,7 @@ export class ExtremumTool implements Tool {
   readonly name = "Extrema";
   readonly key = "e";
   readonly icon = icons.extremum;
+  readonly keys: KeyNotes = [["Delete", "remove the chosen one"]];
   private isMaximum = true;
   private wholeSurface = false;
   private chosen: CriticalPoint | null = null;

@@ -9,6 +9,7 @@ import { markerMaterial, Shape } from "../scene/materials";
 import type { Contour, CriticalPoint } from "../scene/stage";
 import { h } from "../ui/dom";
 import { icons } from "../ui/icons";
+import type { KeyNotes } from "../ui/keyboard";
 import { filePoint, pick, surfacePoint } from "./pick";
 import type { Tool } from "./tool";
 
@@ -31,6 +32,7 @@ export class PlaneTool implements Tool {
   readonly name = "Move contour";
   readonly key = "p";
   readonly icon = icons.plane;
+  readonly keys: KeyNotes = [["Enter", "apply"], ["R", "turn the plane"], ["T", "shift the plane"], ["L", "contour or whole saddle"], ["N", "touch the surface"]];
   private readonly plane: THREE.Mesh;
   private readonly curve = new Lines(3.5, 0x43c59e, { hidden: true });
   private readonly gizmo: TransformControls;

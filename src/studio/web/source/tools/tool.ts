@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import type { KeyNotes } from "../ui/keyboard";
+
 /** A tool takes the pointer on the surface. The camera stays usable: what a tool does not claim, turns the view. */
 export interface Tool {
   readonly id: string;
   readonly name: string;
   readonly key: string;
   readonly icon: string;
+  /** Its own keys. */
+  readonly keys?: KeyNotes;
   /** What to do now, in one line. */
   hint(): string;
   begin?(): void;

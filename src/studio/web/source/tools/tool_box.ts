@@ -2,7 +2,7 @@
 // The rail of tools, the hint line, and who gets the pointer.
 import type { App } from "../app";
 import { h, icon } from "../ui/dom";
-import type { Shortcut } from "../ui/keyboard";
+import type { KeyNotes, Shortcut } from "../ui/keyboard";
 import type { Tool } from "./tool";
 
 const clickTolerance = 4; // pixels that a click may move
@@ -63,6 +63,11 @@ export class ToolBox {
 
   shortcuts(): Shortcut[] {
     return this.tools.map((tool) => ({ keys: tool.key, about: tool.name.toLowerCase(), group: "Tools", run: () => this.choose(tool.id) }));
+  }
+
+  /** The keys of single tools. */
+  keyNotes(): Record<string, KeyNotes> {
+    return Object.fromEntries(this.tools.flatMap(({ name, keys }) => (keys ? [[name, keys]] : [])));
   }
 
   /** The tool's own controls, in the corner of the view. */

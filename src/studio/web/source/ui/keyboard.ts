@@ -10,7 +10,7 @@ export interface Shortcut {
 }
 
 function matches(event: KeyboardEvent, keys: string): boolean {
-  const parts = keys.split("+");
+  const parts = keys === "+" ? [keys] : keys.split("+");
   const key = parts[parts.length - 1]!;
   const control = parts.includes("Ctrl"), shift = parts.includes("Shift");
   if (control !== (event.ctrlKey || event.metaKey) || event.altKey) return false;
@@ -31,21 +31,32 @@ export function listenToKeys(shortcuts: Shortcut[]): void {
   });
 }
 
-/** The map of all keys. */
-export function keyboardHelp(shortcuts: Shortcut[]): () => void {
+/** As it stands on the keys. */
+function printed(keys: string): string {
+  return keys === "-" ? "−" : keys.replace(/(^|\+)[a-z]$/, (key) => key.toUpperCase());
+}
+
+/** Keys or gestures and what they do. */
+export type KeyNotes = [string, string][];
+
+const gestures: Record<string, KeyNotes> = {
+  Mouse: [["drag", "turn"], ["right drag, Shift + drag", "move"], ["wheel", "zoom to the pointer"], ["double click", "turn around that point"]],
+  Touchpad: [["pinch, two fingers", "zoom to the pointer"], ["two fingers sideways", "move"], ["Shift + two fingers", "move"]],
+  "In the view": [["arrows", "move"], ["Shift + arrows", "turn"]],
+};
+
+/** The map of all keys; `notes` are those that are not for every moment. */
+export function keyboardHelp(shortcuts: Shortcut[], notes: Record<string, KeyNotes> = {}): () => void {
   const groups = [...new Set(shortcuts.map((s) => s.group))];
-  const mouse: [string, string][] = [
-    ["drag", "turn"], ["right drag, or Shift + drag", "move"], ["wheel, or pinch", "zoom to the pointer"], ["double click", "turn around that point"],
-  ];
+  const section = (title: string, rows: KeyNotes): HTMLElement => h("section", {}, h("h3", {}, title), ...rows.map(([keys, does]) => h("div", {}, h("kbd", {}, keys), h("span", {}, does))));
   const dialog = h(
     "dialog", { className: "dialog keys" },
     h("header", {}, h("h2", {}, "Keys and mouse"), h("button", { className: "ghost", onclick: () => dialog.close() }, "Close")),
     h(
       "div", { className: "key-columns" },
-      h("section", {}, h("h3", {}, "Mouse"), ...mouse.map(([what, does]) => h("div", {}, h("kbd", {}, what), h("span", {}, does)))),
-      ...groups.map((group) =>
-        h("section", {}, h("h3", {}, group), ...shortcuts.filter((s) => s.group === group).map((s) => h("div", {}, h("kbd", {}, s.keys.length === 1 ? s.keys.toUpperCase() : s.keys), h("span", {}, s.about)))),
-      ),
+      ...Object.entries(gestures).map(([title, rows]) => section(title, rows)),
+      ...groups.map((group) => section(group, shortcuts.filter((s) => s.group === group).map((s) => [printed(s.keys), s.about]))),
+      ...Object.entries(notes).map(([title, rows]) => section(title, rows)),
     ),
   );
   document.body.append(dialog);

@@ -6,28 +6,29 @@ import { icons } from "./icons";
 export type Mood = "good" | "plain" | "bad";
 
 export class Toasts {
-  private readonly host = h("div", { className: "toasts", role: "status", "aria-live": "polite" });
+  readonly element = h("div", { className: "toasts", role: "status", "aria-live": "polite" });
 
-  constructor(parent: HTMLElement) {
-    parent.append(this.host);
-  }
-
-  show(title: string, text = "", mood: Mood = "plain", action?: { name: string; run: () => void }): void {
+  /** `gone` is called when the message goes away. */
+  show(title: string, text = "", mood: Mood = "plain", action?: { name: string; run: () => void }, gone?: () => void): void {
     const close = h("button", { className: "ghost small", title: "Dismiss", "aria-label": "Dismiss" }, icon(icons.close));
     const toast = h(
       "div", { className: `toast ${mood}` },
       h("div", { className: "toast-text" }, h("strong", {}, title), text && h("p", {}, text)),
-      action && h("button", { className: "small", onclick: () => (action.run(), toast.remove()) }, action.name),
+      action && h("button", { className: "small", onclick: action.run }, action.name),
       close,
     );
-    close.onclick = () => toast.remove();
-    this.host.append(toast);
-    while (this.host.children.length > 4) this.host.firstElementChild?.remove();
-    setTimeout(() => toast.remove(), mood === "bad" ? 14000 : 5000);
+    const remove = (): void => {
+      toast.remove();
+      gone?.();
+    };
+    close.onclick = remove;
+    this.element.append(toast);
+    while (this.element.children.length > 4) this.element.firstElementChild?.remove();
+    setTimeout(remove, mood === "bad" ? 14000 : 5000);
   }
 
   /** Takes away what was told to have failed: something has worked since. */
   forgive(): void {
-    for (const toast of this.host.querySelectorAll(".toast.bad")) toast.remove();
+    for (const toast of this.element.querySelectorAll(".toast.bad")) toast.remove();
   }
 }
