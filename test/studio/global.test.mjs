@@ -36,7 +36,10 @@ test("a file is dropped onto the page", async () => {
     studio.page.evaluate((content) => {
       const data = new DataTransfer();
       data.items.add(new File([content], "dropped.off"));
-      document.querySelector(".canvas").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+      for (const kind of ["dragover", "drop"]) {
+        document.querySelector(".canvas").dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+        if (document.body.classList.contains("dropping") !== (kind === "dragover")) throw new Error("the page does not say where to drop");
+      }
     }, text),
   );
   assert.equal(state.file.name, "dropped.off");

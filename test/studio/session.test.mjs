@@ -27,6 +27,7 @@ test("a mesh is opened by upload", async () => {
   const state = await studio.upload(studio.shape("hand", 6000));
   assert.equal(state.file.genus, 0);
   assert.match(await studio.page.innerText(".status"), /hand\.off/);
+  assert.equal(await studio.page.isDisabled('[data-tool="subdivide"]'), true); // before there is a design
   await studio.picture("surface");
 });
 

@@ -225,9 +225,12 @@ export class App {
       const hit = this.stage.surface.pick(this.viewport.ray(event));
       if (hit) this.viewport.focus(hit.point);
     });
-    document.addEventListener("dragover", (event) => event.preventDefault());
+    const drops = (over: boolean): void => void document.body.classList.toggle("dropping", over);
+    document.addEventListener("dragover", (event) => (event.preventDefault(), drops(true)));
+    document.addEventListener("dragleave", (event) => event.relatedTarget === null && drops(false));
     document.addEventListener("drop", (event) => {
       event.preventDefault();
+      drops(false);
       const file = event.dataTransfer?.files[0];
       if (file) void this.upload(file);
     });

@@ -213,9 +213,10 @@ export class ChartView {
     context.fillStyle = colour("--soft");
     context.font = "11px system-ui, sans-serif";
     context.textAlign = "center";
-    const middle = this.canvas.clientWidth / 2;
+    const middle = this.canvas.clientWidth / 2, below = t.kind === "annulus" ? "lower contour: the left and right ends are joined" : "the other three sides follow";
+    const fits = context.measureText(below).width < this.canvas.clientWidth - 8;
     context.fillText(t.kind === "annulus" ? "upper contour" : "one side of the square", middle, 15);
-    context.fillText(t.kind === "annulus" ? "lower contour: the left and right ends are joined" : "the other three sides follow", middle, this.canvas.clientHeight - 9);
+    context.fillText(fits ? below : below.replace(/:.*/, ""), middle, this.canvas.clientHeight - 9);
   }
 
   private drawShine(context: CanvasRenderingContext2D, t: Texture, s: ReturnType<ChartView["scale"]>): void {

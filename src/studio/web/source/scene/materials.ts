@@ -26,7 +26,8 @@ export function setGround(isDark: boolean): void {
   seeThrough.ink.value.setScalar(isDark ? 0.92 : 0.1);
 }
 
-/** The colour, of which `line` is covered by a line; of what is seen through, more towards the rim, and not lit: whichever face is drawn first. */
+/** The colour, of which `line` is covered by a line; of what is seen through, more towards the rim. It is not lit then, so that it does not
+ * matter which face is drawn first; but with LIT_GHOST, where only the nearest face is drawn. */
 const shade = /* glsl */ `
   uniform float opacity, tint;
   uniform vec3 ink;
@@ -36,6 +37,9 @@ const shade = /* glsl */ `
     vec3 toEye = normalize(-vPosition);
     if (opacity >= 1.0) return vec4(lit(mix(colour, vec3(0.13, 0.12, 0.15), line), vNormal2, toEye), 1.0);
     float rim = 1.0 - abs(dot(normalize(vNormal2), toEye));
+    #ifdef LIT_GHOST
+      return vec4(lit(colour, vNormal2, toEye), opacity + 0.55 * rim * rim);
+    #endif
     return vec4(mix(tint * colour, ink, line), max(opacity + 0.6 * rim * rim * rim, 0.8 * line));
   }`;
 

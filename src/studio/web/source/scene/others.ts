@@ -68,6 +68,7 @@ export class Others {
 
 function ghost(): THREE.ShaderMaterial {
   const material = surfaceMaterial();
+  material.defines.LIT_GHOST = 1;
   material.uniforms.opacity!.value = 0.2;
   material.transparent = true;
   material.depthWrite = false;

@@ -336,7 +336,7 @@ export class PlaneTool implements Tool {
     this.app.tools.setBox(
       h(
         "div", { className: "tool-box" }, h("strong", {}, "Move contour"),
-        h("div", { className: "row", role: "radiogroup", "aria-label": "What moves (L)" }, choice("Contour", false, "contour"), choice("Whole saddle", true, "saddle"), h("kbd", { title: "L switches" }, "L")),
+        h("div", { className: "row", role: "radiogroup", "aria-label": "What moves" }, choice("Contour", false, "contour"), choice("Whole saddle (L)", true, "saddle")),
         h(
           "p", { className: "note" },
           this.wholeSaddle

@@ -29,6 +29,8 @@ export class ToolBox {
       }
     }, true);
     app.store.watch(["state"], () => {
+      for (const tool of this.tools) this.buttonOf(tool.id)!.disabled = !this.isPossible(tool.id);
+      if (this.active && !this.isPossible(this.active.id)) this.choose("select");
       this.active?.refresh?.();
       this.tellHint();
     });
@@ -41,19 +43,29 @@ export class ToolBox {
   add(tool: Tool): void {
     this.tools.push(tool);
     const button = h(
-      "button", { className: "tool", title: `${tool.name} (${tool.key.toUpperCase()})`, "aria-label": tool.name, "data-tool": tool.id, onclick: () => this.choose(tool.id) },
+      "button", { className: "tool", title: `${tool.name} (${tool.key.toUpperCase()})`, "aria-label": tool.name, "data-tool": tool.id, disabled: !this.isPossible(tool.id), onclick: () => this.choose(tool.id) },
       icon(tool.icon), h("span", {}, tool.name),
     );
     document.getElementById("rail")?.append(button);
   }
 
   choose(id: string): void {
+    if (!this.isPossible(id)) return;
     this.active?.end?.();
     this.active = this.tools.find((t) => t.id === id) ?? null;
     this.active?.begin?.();
     this.app.store.set("tool", id);
     for (const b of document.querySelectorAll<HTMLElement>(".tool")) b.classList.toggle("on", b.dataset.tool === id);
     this.tellHint();
+  }
+
+  /** All tools but one change a design, so that there must be one. */
+  private isPossible(id: string): boolean {
+    return id === "select" || Boolean(this.app.store.get("state")?.facts?.charts.length);
+  }
+
+  private buttonOf(id: string): HTMLButtonElement | null {
+    return document.querySelector(`[data-tool="${id}"]`);
   }
 
   escape(): void {
