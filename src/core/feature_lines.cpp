@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feature_lines.h"
+#include "quad_shape.h"
 
 #include <CGAL/Reeb_quadrangulation/internal/quad_connectivity.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
@@ -280,9 +281,9 @@ private:
           before[i] = m_mesh.points[w];
           after[i] = m_index[w] < 0 ? before[i] : m_moved[std::size_t(m_index[w])];
         }
-        const double quality = scaled_jacobian(after[0], after[1], after[2], after[3]);
+        const double quality = quad_shape(after[0], after[1], after[2], after[3]);
         if (quality >= m_options.worst_jacobian) return;
-        if (quality > 0 && quality >= scaled_jacobian(before[0], before[1], before[2], before[3])) return;
+        if (quality > 0 && quality >= quad_shape(before[0], before[1], before[2], before[3])) return;
         mark_nearest(line, before, bad);
       });
     return bad;

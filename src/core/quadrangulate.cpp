@@ -544,9 +544,11 @@ public:
     Finished_quads plain;
     plain.mesh = std::move(mesh);
     Finished_quads freer = plain; // what lies on sharp edges may go too, where quads are bad otherwise
-    if (Result<void> relaxed = relax(plain, designed(plain.mesh)); !relaxed) return relaxed.error();
+    if (Result<void> relaxed = relax(plain, designed(plain.mesh), m_relaxation); !relaxed)
+      return relaxed.error();
     if (plain.relaxation.inverted_after + plain.relaxation.intersections_after > 0) {
-      if (Result<void> relaxed = relax(freer, held(freer.mesh)); !relaxed) return relaxed.error();
+      if (Result<void> relaxed = relax(freer, held(freer.mesh), m_relaxation); !relaxed)
+        return relaxed.error();
       if (is_worse(plain.relaxation, freer.relaxation)) plain = std::move(freer);
     }
     if (!m_features || m_features->chains.empty()) return plain;
@@ -584,12 +586,20 @@ private:
 
   Result<Finished_quads> snap(Finished_quads quads, const Snap_options& way) const {
     const Relax_report before = quads.relaxation;
+    // Good quads that are spoilt by this, and not soon mended, are better left as they were.
+    Relax_options gentle = m_relaxation;
+    if (before.inverted_after + before.intersections_after == 0)
+      gentle.attempts = std::min(gentle.attempts, 4);
     const int rounds = way.crossings ? 2 : 1; // what has been relaxed lets more vertices come near
     for (int round = 0; round < rounds; ++round) {
-      Vertex_constraints onto(held(quads.mesh));
+      Vertex_constraints onto(settled(quads.mesh));
       quads.features = snap_to_features(quads.mesh, m_projector, *m_features, way, onto);
       if (quads.features.corners + quads.features.vertices == 0) return quads;
-      if (Result<void> relaxed = relax(quads, onto); !relaxed) return relaxed.error();
+      const int left = quads.relaxation.off_surface_vertices;
+      const double offset = quads.relaxation.largest_offset;
+      if (Result<void> relaxed = relax(quads, onto, gentle); !relaxed) return relaxed.error();
+      quads.relaxation.off_surface_vertices += left;
+      quads.relaxation.largest_offset = std::max(quads.relaxation.largest_offset, offset);
       turn_to_features(quads.mesh, onto);
     }
     quads.relaxation.worst_before = before.worst_before;
@@ -613,9 +623,26 @@ private:
     return fixed;
   }
 
-  Result<void> relax(Finished_quads& quads, const Vertex_constraints& constraints) const {
+  // Held vertices, and those that have left the surface so that their quads do not meet: brought back, they would have to leave again.
+  std::vector<char> settled(const Quad_mesh& mesh) const {
+    std::vector<char> fixed = held(mesh);
+    double extent = 0;
+    for (const Point& p : mesh.points) extent = std::max(extent, p.cwiseAbs().maxCoeff());
+    const double rounding = 1e-9 * extent;
+    int face = -1;
+    for (std::size_t v = 0; v < fixed.size(); ++v) {
+      const Closest_point c =
+          face < 0 ? m_projector.closest(mesh.points[v]) : m_projector.closest(mesh.points[v], face);
+      face = c.face;
+      if (c.squared_distance > rounding * rounding) fixed[v] = 1;
+    }
+    return fixed;
+  }
+
+  Result<void> relax(Finished_quads& quads, const Vertex_constraints& constraints,
+                     const Relax_options& options) const {
     Result<Relax_report> report =
-        relax_quads(quads.mesh, m_projector.surface(), m_projector, constraints, m_relaxation, m_observer);
+        relax_quads(quads.mesh, m_projector.surface(), m_projector, constraints, options, m_observer);
     if (!report) return report.error();
     quads.relaxation = *report;
     return {};

@@ -148,6 +148,8 @@ Result<void> check(const Quad_mesh& mesh, const Vertex_constraints& constraints,
   }
   if (options.iterations < 0 || options.more_iterations < 0)
     return make_error(Error_code::impossible_request, "the number of iterations is negative");
+  if (options.attempts < 0)
+    return make_error(Error_code::impossible_request, "the number of attempts is negative");
   if (options.threads < 1)
     return make_error(Error_code::impossible_request, "the number of threads is not positive");
   return check_constraints(mesh, constraints);
@@ -242,7 +244,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
   }
   if (options.untangle) {
     relaxation::untangle(state, 0.2, 20, nullptr, observer);
-    report.intersections_after = relaxation::repair(state, placed, observer);
+    report.intersections_after = relaxation::repair(state, placed, options.attempts, observer);
   }
   if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
 

@@ -78,23 +78,32 @@ struct Regions {
   }
 };
 
-// One way to mend the regions: sweeps under a regime and untangling, or, without sweeps, moving single vertices apart.
+// One way to mend the regions: sweeps under a regime and untangling; or averaging in space; or moving single vertices apart.
 struct Attempt {
   Regime regime;
   int sweeps = 0;
   int rings = 3; // of quads around the defects that may move
   bool from_original =
-      false;         // from where the vertices were before relaxation; otherwise lenient from where they are
-  double offset = 0; // how far single vertices may leave the surface
+      false;          // from where the vertices were before relaxation; otherwise lenient from where they are
+  double offset = 0;  // how far single vertices may leave the surface
+  int averagings = 0; // of each vertex and its neighbours in space
 };
 
 Attempt move_apart(double offset) {
   return {{}, 0, 3, false, offset};
 }
 
+// In a fold of the surface that is narrower than the quads these cannot stay apart unless they cut it off.
+Attempt cut_off(int averagings, int rings) {
+  Attempt attempt;
+  attempt.averagings = averagings;
+  attempt.rings = rings;
+  return attempt;
+}
+
 // From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices from the
 // fine ones; memory of the original lengths keeps quads on thin limbs from sliding off.
-std::array<Attempt, 14> attempts() {
+std::array<Attempt, 17> all_attempts() {
   return {move_apart(0),
           Attempt{{0.15, 1, 0.7}, 4, 4, true},
           Attempt{{0.15, 1, 0.5}, 12, 3},
@@ -104,6 +113,9 @@ std::array<Attempt, 14> attempts() {
           Attempt{{0.4, 1, 0}, 40, 8},
           Attempt{{0.8, 0, 0}, 40, 8},
           move_apart(0.3),
+          cut_off(4, 2),
+          cut_off(10, 3),
+          move_apart(0.3),
           Attempt{{0.4, 1, 0.5}, 60, 16},
           Attempt{{0.8, 0, 0}, 80, 24},
           move_apart(0.3),
@@ -111,8 +123,30 @@ std::array<Attempt, 14> attempts() {
           move_apart(0.5)};
 }
 
+// Brings the vertices halfway to the mean of their neighbours, without regard to the surface.
+void average(State& state, int rounds, const std::vector<char>& mask) {
+  for (int round = 0; round < rounds; ++round)
+    for (int v = 0; v < state.number_of_vertices(); ++v) {
+      if (!mask[v] || state.sites[v].freedom != Freedom::surface) continue;
+      Point sum = Point::Zero();
+      for (int k = state.first[v]; k < state.first[v + 1]; ++k) {
+        const Quad& q = state.mesh.quads[state.corners[k] / 4];
+        sum += state.mesh.points[q[(state.corners[k] % 4 + 1) % 4]];
+      }
+      const Point& from = state.mesh.points[v];
+      const Point target = 0.5 * (from + sum / double(state.first[v + 1] - state.first[v]));
+      Step step = state.constrain(v, target);
+      step.point = target;
+      state.move(v, step);
+    }
+}
+
 void carry_out(State& state, const Attempt& attempt, const std::vector<char>& mask,
                const State::Snapshot& original, Observer* observer) {
+  if (attempt.averagings > 0) {
+    average(state, attempt.averagings, mask);
+    return;
+  }
   if (attempt.sweeps == 0) {
     separate(state, attempt.offset, 8, observer);
     return;
@@ -144,14 +178,15 @@ bool take_back(State& state, const Regions& regions, const State::Snapshot& snap
 
 } // namespace
 
-int repair(State& state, const State::Snapshot& original, Observer* observer) {
+int repair(State& state, const State::Snapshot& original, int attempts, Observer* observer) {
   std::vector<int> defects = count_defects(state);
   int made = 0;
-  for (const Attempt& attempt : attempts()) {
+  for (const Attempt& attempt : all_attempts()) {
     const std::ptrdiff_t good = std::count(defects.begin(), defects.end(), 0);
     if (good == std::ptrdiff_t(defects.size()) || (observer && observer->cancelled())) break;
     // A mesh that is bad all over needs another layout; the drastic attempts would only take time.
     const double bad = 1 - double(good) / double(defects.size());
+    if (made == attempts) break;
     if (++made > 4 ? bad > 0.05 : made > 1 && bad > 0.15) break;
     const Regions regions(state, defects, attempt.rings);
     const State::Snapshot snapshot = state.snapshot();

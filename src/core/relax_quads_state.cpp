@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relax_quads_state.h"
 
+#include "quad_shape.h"
+
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 
 #include <algorithm>
@@ -174,7 +176,7 @@ double State::quality(int q, int v, const Step& step) const {
     x[i] = quad[i] == v ? &step.point : &mesh.points[quad[i]];
     outward += quad[i] == v ? step.normal : m_normals[quad[i]];
   }
-  const double jacobian = scaled_jacobian(*x[0], *x[1], *x[2], *x[3]);
+  const double jacobian = internal::quad_shape(*x[0], *x[1], *x[2], *x[3]);
   const Point n = (*x[2] - *x[0]).cross(*x[3] - *x[1]);
   const double scale = std::sqrt(n.squaredNorm() * outward.squaredNorm());
   return scale > 0 ? std::min(jacobian, 0.3 + n.dot(outward) / scale) : jacobian;

@@ -127,9 +127,9 @@ bool quads_meet(const Quad_mesh& mesh, int i, int j);
 /// Moves single vertices of intersecting quads so that fewer quads intersect. `offset` is how far a vertex may leave
 /// the surface along its normal, in units of the quads' size around it; 0 keeps vertices on the surface.
 void separate(State& state, double offset, int rounds, Observer* observer);
-/// Relaxes the surroundings of inverted and intersecting quads anew, in other ways, and keeps what helps. `original` is
-/// where the vertices were at first. Returns the number of pairs of quads that intersect in the end.
-int repair(State& state, const State::Snapshot& original, Observer* observer);
+/// Relaxes the surroundings of inverted and intersecting quads anew, in at most so many other ways, and keeps what helps. `original`
+/// is where the vertices were at first. Returns the number of pairs of quads that intersect in the end.
+int repair(State& state, const State::Snapshot& original, int attempts, Observer* observer);
 
 /// Runs f(i) for i in [0, n) on up to `threads` threads. f(i) must not depend on another f(j).
 template <class F> void parallel_for(int n, int threads, const F& f) {

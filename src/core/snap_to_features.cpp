@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
 #include "feature_lines.h"
+#include "quad_shape.h"
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
@@ -135,9 +136,9 @@ private:
         return (x[2] - x[0]).cross(x[3] - x[1]).dot(outward) > 0;
       };
       if (!facing(after) && facing(before)) return false;
-      const double new_value = scaled_jacobian(after[0], after[1], after[2], after[3]);
+      const double new_value = internal::quad_shape(after[0], after[1], after[2], after[3]);
       if (new_value >= m_options.worst_jacobian) continue;
-      if (new_value <= 0 || new_value < scaled_jacobian(before[0], before[1], before[2], before[3]))
+      if (new_value <= 0 || new_value < internal::quad_shape(before[0], before[1], before[2], before[3]))
         return false;
     }
     return true;

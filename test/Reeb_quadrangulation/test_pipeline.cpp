@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a surface to certified quads in one call: real models, placed extrema, scales, threads.
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include "layout_stages.h"
@@ -162,6 +163,22 @@ TEST_CASE("relaxation moves vertices and keeps the connectivity") {
   const Certificate certificate = certify({relaxed.mesh, &s, relaxed.valences});
   CHECK(certificate.passed);
   CHECK(certificate.inverted_quads.empty());
+}
+
+TEST_CASE("a fold that is narrower than the quads is cut off, so that they do not meet; no two vertices come "
+          "together") {
+  for (const std::string file : {"cow.off", "coupling_g9.off"}) {
+    const Triangle_surface s = model(file);
+    if (s.triangles.empty()) continue;
+    INFO(file);
+    Quadrangulation_options options;
+    options.quads = 3000;
+    const Quadrangulation q = quads_of(s, options);
+    CHECK(certify({q.mesh, &s, q.valences}).strictly_valid);
+    if (file == "cow.off") CHECK(q.relaxation.off_surface_vertices > 0);
+    const Mesh_statistics statistics = quad_statistics(q.mesh, &s);
+    CHECK(statistics.edge_length.minimum > 1e-3 * statistics.edge_length.mean);
+  }
 }
 
 TEST_CASE("extrema placed by hand replace the suggested ones") {

@@ -292,6 +292,22 @@ TEST_CASE("quads that are nearly good are relaxed further, and bad or good ones 
   }
 }
 
+TEST_CASE("vertices that have come together part again, though their quads have good angles") {
+  const Triangle_surface input = tiny::torus(60, 30);
+  const Surface_projector projector(input);
+  Quad_mesh mesh = quads_of(input);
+  const Quad first = mesh.quads[0];
+  mesh.points[first[1]] = mesh.points[first[0]] + 1e-9 * (mesh.points[first[1]] - mesh.points[first[0]]);
+  REQUIRE(quality(mesh, first) > 0.4);
+  Relax_options options;
+  options.iterations = 0;
+  REQUIRE(relax_quads(mesh, input, projector, {}, options));
+  std::array<double, 4> length;
+  for (int i = 0; i < 4; ++i) length[i] = (mesh.points[first[(i + 1) % 4]] - mesh.points[first[i]]).norm();
+  const auto [least, most] = std::minmax_element(length.begin(), length.end());
+  CHECK(*least > *most / 250);
+}
+
 TEST_CASE("a mesh that is good already keeps its quality") {
   const Triangle_surface input = tiny::torus(60, 30);
   const Surface_projector projector(input);
@@ -315,6 +331,9 @@ TEST_CASE("what cannot be relaxed is refused with a reason, and the mesh is unto
   places.places = {{0, 0, 0.0}, {0, 0, 0.1}}; // twice
   CHECK(relax_quads(mesh, input, projector, places).error().index == 0);
   Relax_options options;
+  options.attempts = -1;
+  CHECK(relax_quads(mesh, input, projector, {}, options).error().code == Error_code::impossible_request);
+  options = {};
   options.threads = 0;
   CHECK(relax_quads(mesh, input, projector, {}, options).error().code == Error_code::impossible_request);
   struct Stop : Observer {

@@ -16,7 +16,8 @@ namespace Reeb_quadrangulation {
 struct Relax_options {
   int iterations = 20;  ///< sweeps over all vertices; 0 leaves the smooth part out
   bool untangle = true; ///< afterwards mend the surroundings of inverted and of intersecting quads
-  int threads = 1;      ///< the result does not depend on it
+  int attempts = 17; ///< of `untangle`, from gentle and local to drastic and wide: at most so many of all 17
+  int threads = 1;   ///< the result does not depend on it
   /// Further sweeps where the mean scaled Jacobian is then between 0.87 and 0.92.
   int more_iterations = 80;
 };
@@ -50,7 +51,8 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 /// With `untangle`, the vertices around inverted quads are then optimised for their worst corners by a pattern search;
 /// regions that still have inverted or intersecting quads (exact predicates) are relaxed anew with other weights, and
 /// single vertices are moved apart. Each such attempt is kept, region by region, only if it leaves fewer defects. Where
-/// nothing on the surface helps, vertices may leave it by up to half of the edges around them; the report counts them.
+/// nothing on the surface helps, vertices may leave it: by up to half of the edges around them, or so that the quads cut off a fold of
+/// the surface that is narrower than they are. The report counts them.
 /// The quality never gets worse than it is with the vertices put on the surface: in the end no more quads are inverted, and if as
 /// many are, the mean scaled Jacobian is not lower, and if none is, neither is the least. Else the vertices are only put on
 /// the surface, or left as they were if that inverts quads.
