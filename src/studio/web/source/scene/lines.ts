@@ -21,7 +21,7 @@ export class Lines {
       depthWrite: false,
       polygonOffset: true, // before the surface that they lie on
       polygonOffsetFactor: -2,
-      polygonOffsetUnits: -4,
+      polygonOffsetUnits: -12,
     });
     this.object = new LineSegments2(new LineSegmentsGeometry(), this.material);
     this.object.frustumCulled = false;
