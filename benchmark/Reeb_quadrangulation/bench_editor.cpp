@@ -135,5 +135,6 @@ int main(int argc, char** argv) {
     const Surface_point p = random.vertex();
     return Drag_vertices{{p}, random.beside(p, 5), 0, Falloff::smooth, 2, 3};
   });
+  run("fit_texture", [&] { return Fit_texture{random.vertex()}; }); // of a shape with sharp edges
   run("set_target", [&] { return Set_target{2000 + int(random.below(2000)), 0}; });
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every texture operator on grids of growing size, finding an edge by a point, and resolving T-junctions; and on a sphere: placing the
-// vertices of all textures, stitching them, and quads twice as fine where a size field asks for it. Seconds of wall clock, best of three.
+// vertices of all textures, stitching them, and quads twice as fine where a size field asks for it; and fitting the texture of a twisted bar
+// to its sharp edges. Seconds of wall clock, best of three.
+#include <CGAL/Reeb_quadrangulation/Editor.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
+#include <CGAL/Reeb_quadrangulation/fit_texture.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>
@@ -150,6 +153,27 @@ bool stages(int quads) {
 
 } // namespace
 
+namespace {
+
+// The texture of the largest chart of a twisted bar onto its sharp edges.
+bool fit(int quads) {
+  Editor_options options;
+  options.quads = quads;
+  Result<Editor> editor = Editor::create(*make_shape("twisted-bar", 20000), options);
+  if (!editor || !editor->apply(Suggest{})) return false;
+  const auto& charts = editor->design().charts;
+  const auto& chart = *std::max_element(charts.begin(), charts.end(), [](const auto& a, const auto& b) {
+    return a->texture.texture.quads.size() < b->texture.texture.quads.size();
+  });
+  const Feature_edges features = features_inside(*chart->chart, editor->working_surface(), 45);
+  print("fit_texture", chart->texture.texture.quads.size(), best_of_three([&] {
+          return fit_texture(chart->texture, *chart->chart, *chart->map, features).vertices > 0;
+        }));
+  return true;
+}
+
+} // namespace
+
 int main() {
   for (int n : {100, 316, 1000}) {
     const Quad_texture t = grid(n);
@@ -162,7 +186,7 @@ int main() {
     print("coarsen_texture", half.quads.size(),
           best_of_three([&] { return bool(edit_texture(half, Coarsen_texture{})); }));
     print("find_edge", t.quads.size(), best_of_three([&] { return bool(find_edge(t, {0.999, 0.999})); }));
-    if (resolve(n) < 0 || !stages(n * n)) return 1;
+    if (resolve(n) < 0 || !stages(n * n) || !fit(n * n)) return 1;
   }
   return 0;
 }

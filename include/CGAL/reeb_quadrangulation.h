@@ -46,6 +46,7 @@
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/fit_texture.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>
 #include <CGAL/Reeb_quadrangulation/merge_patches.h>

@@ -37,6 +37,7 @@ struct Namer {
   const char* operator()(const Drag_vertices&) const { return "drag_vertices"; }
   const char* operator()(const Relax_texture&) const { return "relax_texture"; }
   const char* operator()(const Snap_vertices&) const { return "snap_vertices"; }
+  const char* operator()(const Fit_texture&) const { return "fit_texture"; }
   const char* operator()(const Reset_texture&) const { return "reset_texture"; }
 };
 

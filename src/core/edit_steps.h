@@ -45,6 +45,7 @@ Result<Design> with_texture(const Draft& draft, const Edit_texture& edit);
 Result<Design> with_texture(const Draft& draft, const Drag_vertices& edit);
 Result<Design> with_texture(const Draft& draft, const Relax_texture& edit);
 Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit);
+Result<Design> with_texture(const Draft& draft, const Fit_texture& edit);
 /// @}
 
 /// \name Parts of edits

@@ -5,13 +5,16 @@
 
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/fit_texture.h>
 #include <CGAL/Reeb_quadrangulation/texture_operator.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <map>
+#include <sstream>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -144,6 +147,17 @@ public:
     m_changed[c] = std::make_unique<Placed_texture>(std::move(*edited));
     m_textures[c] = m_changed[c].get();
     return {};
+  }
+
+  // False if no vertex comes to lie on the sharp edges that does not already.
+  Result<bool> fit(int c, const Feature_edges& features) {
+    if (chart(c).settings.locked)
+      return refuse("the edit would change a locked chart", {}, Element_kind::chart, chart(c).id);
+    Fitted_texture fitted = fit_texture(texture(c), *chart(c).chart, *chart(c).map, features);
+    if (fitted.corners + fitted.vertices == 0) return false;
+    m_changed[c] = std::make_unique<Placed_texture>(std::move(fitted.texture));
+    m_textures[c] = m_changed[c].get();
+    return true;
   }
 
   // The final relaxation leaves a vertex where it has been put.
@@ -323,6 +337,19 @@ Result<Design> with_texture(const Draft& draft, const Relax_texture& edit) {
 
 namespace {
 
+Result<void> check_feature_angle(double angle) {
+  if (angle > 0 && angle <= 180) return {};
+  return make_error(Error_code::impossible_request, "the feature angle lies between 0 and 180 degrees");
+}
+
+// An angle for a sentence: "45", "22.5".
+std::string degrees(double angle) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << angle;
+  return text.str();
+}
+
 // The sharp edges' corner within `reach`, else their nearest point.
 Result<Point> nearest_feature(const Triangle_surface& surface, const Feature_edges& features, const Point& p,
                               double reach) {
@@ -364,8 +391,7 @@ double shortest_edge(const Texturing& textures, int c, int vertex) {
 } // namespace
 
 Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit) {
-  if (!(edit.feature_angle > 0 && edit.feature_angle <= 180))
-    return make_error(Error_code::impossible_request, "the feature angle lies between 0 and 180 degrees");
+  if (Result<void> checked = check_feature_angle(edit.feature_angle); !checked) return checked.error();
   Texturing textures(draft);
   const Result<int> found = textures.chart_at(edit.points);
   if (!found) return found.error();
@@ -406,6 +432,35 @@ Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit) {
                     chart.id);
     textures.anchor(c, corner);
   }
+  return textures.finish();
+}
+
+Result<Design> with_texture(const Draft& draft, const Fit_texture& edit) {
+  if (Result<void> checked = check_feature_angle(edit.feature_angle); !checked) return checked.error();
+  Texturing textures(draft);
+  const Result<int> at = textures.chart_at({edit.at});
+  if (!at) return at.error();
+  const bool all = edit.scope == Edit_scope::surface;
+  const int id = all ? -1 : textures.chart(*at).id;
+  bool has_features = false, fitted = false;
+  for (int c = all ? 0 : *at; c < (all ? textures.number_of_charts() : *at + 1); ++c) {
+    const Feature_edges features =
+        features_inside(*textures.chart(c).chart, draft.surface(), edit.feature_angle);
+    if (std::all_of(features.chains.begin(), features.chains.end(),
+                    [](const Feature_chain& chain) { return chain.boundary; }))
+      continue;
+    has_features = true;
+    const Result<bool> done = textures.fit(c, features);
+    if (!done) return done.error();
+    fitted = fitted || *done;
+  }
+  if (!has_features)
+    return refuse(all ? "no sharp edge lies inside a chart" : "no sharp edge lies inside the chart",
+                  "none of more than " + degrees(edit.feature_angle) + " degrees",
+                  all ? Element_kind::none : Element_kind::chart, id);
+  if (!fitted)
+    return refuse("no further vertex of the texture can be put onto the sharp edges", {},
+                  all ? Element_kind::none : Element_kind::chart, id);
   return textures.finish();
 }
 

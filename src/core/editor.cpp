@@ -84,6 +84,9 @@ Result<Design> next_design(Draft& draft, const Relax_texture& edit) {
 Result<Design> next_design(Draft& draft, const Snap_vertices& edit) {
   return with_texture(draft, edit);
 }
+Result<Design> next_design(Draft& draft, const Fit_texture& edit) {
+  return with_texture(draft, edit);
+}
 
 // A design, and its quads if they had to be stitched to see that they can be.
 struct Changed {

@@ -73,8 +73,13 @@ std::vector<char> find_features(const Triangle_surface& s, double dihedral_angle
 } // namespace
 
 Feature_edges feature_edges(const Triangle_surface& s, double dihedral_angle, double corner_angle) {
+  return feature_edges(s, find_features(s, dihedral_angle), corner_angle);
+}
+
+Feature_edges feature_edges(const Triangle_surface& s, std::vector<char> feature, double corner_angle) {
   const int nh = s.number_of_halfedges();
-  const std::vector<char> feature = find_features(s, dihedral_angle);
+  for (int h = 0; h < nh; ++h)
+    if (s.opposite[h] < 0) feature[h] = 1;
   Feature_edges result;
   std::vector<char> has_feature(s.number_of_vertices(), 0), corner(s.number_of_vertices(), 0), used(nh, 0);
   for (int h = 0; h < nh; ++h)

@@ -159,6 +159,11 @@ template <class F> void fields(F& f, Snap_vertices& e) {
   f("points", e.points);
   f.optional("feature_angle", e.feature_angle);
 }
+template <class F> void fields(F& f, Fit_texture& e) {
+  f("at", e.at);
+  f.optional("feature_angle", e.feature_angle);
+  f.optional("scope", e.scope);
+}
 template <class F> void fields(F& f, Reset_texture& e) {
   f("at", e.at);
   f.optional("scope", e.scope);

@@ -41,10 +41,11 @@ public:
   Snapper(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,
           Vertex_constraints& constraints)
       : m_mesh(mesh), m_projector(projector), m_input(projector.surface()), m_options(options),
-        m_constraints(constraints), m_held(constraints.fixed), m_quads_of(mesh.points.size()),
-        m_shortest(mesh.points.size(), 1e300), m_on_boundary(mesh.points.size(), 0),
-        m_normal(mesh.points.size()) {
+        m_constraints(constraints), m_given(constraints.fixed), m_held(constraints.fixed),
+        m_quads_of(mesh.points.size()), m_shortest(mesh.points.size(), 1e300),
+        m_on_boundary(mesh.points.size(), 0), m_normal(mesh.points.size()) {
     m_constraints.fixed.resize(mesh.points.size(), 0);
+    m_given.resize(mesh.points.size(), 0);
     m_held.resize(mesh.points.size(), 0);
     for (int q = 0; q < int(mesh.quads.size()); ++q)
       for (int i = 0; i < 4; ++i) {
@@ -240,6 +241,7 @@ private:
     Tree tree(list.begin(), list.end());
     if (m_options.lines) lay_lines(wishes_of_all(tree));
     std::vector<Wish> near = wishes_of_all(tree);
+    note_given(near);
     near.erase(std::remove_if(near.begin(), near.end(),
                               [&](const Wish& w) {
                                 return w.vertex < 0 || m_on_boundary[w.vertex] ||
@@ -248,6 +250,13 @@ private:
                near.end());
     m_report.vertices = m_report.on_lines + grant(near);
     if (m_options.crossings) snap_crossings(wishes_of_all(tree));
+  }
+
+  // Vertices that are held on sharp edges have their places there too, though they do not slide.
+  void note_given(const std::vector<Wish>& near) {
+    for (const Wish& w : near)
+      if (w.vertex >= 0 && m_given[w.vertex] && w.distance < 1e-6)
+        m_constraints.places.push_back({w.vertex, w.curve, w.t});
   }
 
   // Which side of its sharp edge a vertex lies on: 1 or -1; 0 beyond an end.
@@ -307,7 +316,8 @@ private:
   const Triangle_surface& m_input;
   const Snap_options& m_options;
   Vertex_constraints& m_constraints;
-  std::vector<char> m_held; ///< vertices that stay or have been moved
+  std::vector<char> m_given; ///< vertices that were held before
+  std::vector<char> m_held;  ///< vertices that stay or have been moved
   std::vector<std::vector<int>> m_quads_of;
   std::vector<double> m_shortest;
   std::vector<char> m_on_boundary;

@@ -13,18 +13,22 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
+std::vector<int> anchored_vertices(const Placed_texture& placed) {
+  std::vector<std::pair<double, double>> anchors;
+  for (const Eigen::Vector2d& p : placed.anchors) anchors.emplace_back(p.x(), p.y());
+  std::sort(anchors.begin(), anchors.end());
+  std::vector<int> found;
+  for (std::size_t v = 0; v < placed.texture.v.size(); ++v)
+    if (std::binary_search(anchors.begin(), anchors.end(),
+                           std::make_pair(placed.texture.v[v], placed.texture.u[v])))
+      found.push_back(int(v));
+  return found;
+}
+
 namespace {
 
 int modulo(int a, int n) {
   return ((a % n) + n) % n;
-}
-
-std::vector<int> anchored_vertices(const Placed_texture& placed) {
-  std::vector<int> found;
-  for (const Eigen::Vector2d& p : placed.anchors)
-    for (std::size_t v = 0; v < placed.texture.v.size(); ++v)
-      if (placed.texture.v[v] == p.x() && placed.texture.u[v] == p.y()) found.push_back(int(v));
-  return found;
 }
 
 using internal::Meetings;

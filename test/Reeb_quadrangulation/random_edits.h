@@ -19,7 +19,7 @@ public:
   Generator(const Editor& editor, tiny::Random& random) : m_editor(editor), m_random(random) {}
 
   Edit next() {
-    switch (m_random.below(36)) {
+    switch (m_random.below(37)) {
     case 0:
       return Add_extremum{vertex(), m_random.below(2) == 0, Edit_scope::chart, 0.1 + 0.8 * m_random.unit()};
     case 1: return Add_extremum{vertex(), m_random.below(2) == 0, scope()};
@@ -67,6 +67,7 @@ public:
           vertex(), 1 + m_random.below(4), m_random.below(2) * 0.3 * m_random.unit(), {}, scope()};
     case 28: return Snap_vertices{{vertex()}, 20 + 60 * m_random.unit()};
     case 29: return Reset_texture{vertex(), scope()};
+    case 30: return Fit_texture{vertex(), 20 + 60 * m_random.unit(), scope()};
     default: return texture_operator();
     }
   }

@@ -362,7 +362,7 @@ TEST_CASE("the members of texture edits go through JSON") {
       operation(Operator::rotate_edge_back, {equator, at(1, 2, 3)}, 0.25, Edit_scope::surface),
       Drag_vertices{{equator}, at(0.1, 0.2, 0.3), 0.7, Falloff::linear, 3, 4, {at(1, 1, 1)}},
       Relax_texture{equator, 7, 0.3, {at(0, 1, 0)}, Edit_scope::surface}, Snap_vertices{{equator}, 30},
-      Reset_texture{equator, Edit_scope::surface}};
+      Reset_texture{equator, Edit_scope::surface}, Fit_texture{equator, 30, Edit_scope::surface}};
   for (const Edit& edit : edits) {
     const Result<Edit> read = edit_from_json(to_json(edit));
     REQUIRE(bool(read));

@@ -70,5 +70,5 @@ edit_figures(sphere 4000 add_extremum move_extremum subdivide_chart move_contour
   set_columns set_rows set_shift set_grading texture_polychord texture_inset texture_drag texture_one_sided texture_holes)
 edit_figures(torus 4000 move_saddle half_saddle quarter_saddle pin_corners)
 edit_figures(bitorus 4000 align_saddles)
-edit_figures(twisted-bar 4000 straighten_contour)
+edit_figures(twisted-bar 4000 straighten_contour texture_fit)
 edit_figures(l-shape 4000 snap_contour texture_snap)

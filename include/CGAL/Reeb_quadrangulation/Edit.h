@@ -258,6 +258,13 @@ struct Snap_vertices {
   std::vector<Surface_point> points;
   double feature_angle = 45; ///< degrees
 };
+/// Gives a chart's texture edges on the sharp edges inside the chart: lines of edges that run along them, then vertices near their corners and
+/// near them, and relaxes around these; see fit_texture.h. What lies on sharp edges then stays there in the final relaxation.
+struct Fit_texture {
+  Surface_point at;
+  double feature_angle = 45; ///< degrees
+  Edit_scope scope = Edit_scope::chart;
+};
 /// Gives a chart a regular texture again.
 struct Reset_texture {
   Surface_point at;
@@ -265,12 +272,12 @@ struct Reset_texture {
 };
 /// @}
 
-using Edit =
-    std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
-                 Move_contour, Move_saddle, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
-                 Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
-                 Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
-                 Lock_chart, Edit_texture, Drag_vertices, Relax_texture, Snap_vertices, Reset_texture>;
+using Edit = std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
+                          Move_contour, Move_saddle, Drag_contour, Straighten_contour, Snap_contour,
+                          Subdivide_chart, Remove_contour, Align_saddles, Collapse_chart,
+                          Collapse_thin_charts, Split_pole, Move_corner, Split_saddle, Pin_corners,
+                          Set_target, Set_columns, Set_rows, Set_shift, Set_grading, Lock_chart, Edit_texture,
+                          Drag_vertices, Relax_texture, Snap_vertices, Reset_texture, Fit_texture>;
 
 /// The name of an edit in recipes and messages: "subdivide_chart".
 const char* name(const Edit& edit);

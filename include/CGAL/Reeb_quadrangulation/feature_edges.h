@@ -29,6 +29,10 @@ struct Feature_edges {
 /// by `connect()`.
 Feature_edges feature_edges(const Triangle_surface& surface, double dihedral_angle, double corner_angle = 50);
 
+/// The same with the sharp edges at hand: `sharp` has an entry a halfedge, the same for both of an edge.
+Feature_edges feature_edges(const Triangle_surface& surface, std::vector<char> sharp,
+                            double corner_angle = 50);
+
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
 

@@ -42,8 +42,8 @@ struct Snap_report {
 /// Moves vertices of a quad mesh near a surface onto its corners and sharp edges, each vertex at most once and only
 /// if no quad becomes bad or faces away: first the nearest to corners; then, with `options.lines`, lines of edges that run along sharp edges, to which
 /// the quads around them give way; then single vertices, nearest first; then ends of edges that cross. `constraints.fixed` has one entry a vertex, or none:
-/// these vertices stay. Those on corners are added to them; the sharp edges are added to `constraints.curves`, and the vertices on them to `constraints.places`;
-/// hand it to `relax_quads()`, which lets them slide.
+/// these vertices stay. Those on corners are added to them; the sharp edges are added to `constraints.curves`, and the vertices on them to `constraints.places`,
+/// also those that stay; hand it to `relax_quads()`, which lets the others slide.
 /// O((V + S) log S) for S sharp edges, and O(F) to find them. \pre `options.feature_angle > 0`; `constraints` has no curves; the projector's
 /// surface is connected by `connect()`.
 Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,

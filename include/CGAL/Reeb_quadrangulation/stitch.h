@@ -47,6 +47,9 @@ struct Placed_texture {
   double step(int side, int entry) const { return steps[side].empty() ? entry : steps[side][entry]; }
 };
 
+/// The vertices that lie at the anchors, in increasing order. O((A + V) log A) for A anchors.
+std::vector<int> anchored_vertices(const Placed_texture& placed);
+
 /// What the user decides about a chart's texture.
 struct Texture_placement {
   int shift = 0;      ///< annulus: columns by which the HIGH walk is turned east, beyond the best fit
