@@ -100,6 +100,18 @@ Result<void> solve(Chart_parameterization& map, const Chart& chart, const Domain
   return map.solve_rectangle(chart, v, u);
 }
 
+// The map of a chart that is cut anew moves what it does not hold on contours: an anchor stands for a place that the user chose.
+void release_moved_anchors(const Design_chart& old, double edge_length, Design_chart& made) {
+  std::vector<Eigen::Vector2d> kept;
+  for (int v : anchored_vertices(made.texture)) {
+    const Point was = position(*old.chart, old.texture.location[v]),
+                is = position(*made.chart, made.texture.location[v]);
+    if ((is - was).norm() <= 1e-6 * edge_length)
+      kept.emplace_back(made.texture.texture.v[v], made.texture.texture.u[v]);
+  }
+  made.texture.anchors = std::move(kept);
+}
+
 } // namespace
 
 const Design_chart* predecessor(const Draft& draft, int c) {
@@ -132,6 +144,7 @@ Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const 
   if (Result<void> solved = solve(map, *made.chart, border, s); !solved) return solved;
   made.texture = with_counts(old.texture, *made.chart, before, samples);
   made.texture.location = locate(*made.chart, map, made.texture.texture.v, made.texture.texture.u);
+  release_moved_anchors(old, draft.before().edge_length, made);
   made.edited = true;
   made.texture_id = old.texture_id;
   made.map = std::make_shared<const Chart_parameterization>(std::move(map));

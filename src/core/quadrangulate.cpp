@@ -178,6 +178,11 @@ Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmon
 
 namespace {
 
+// `finish_quads()` with a projector of the input that is kept for several meshes.
+Result<Finished_quads> finish_on(const Surface_projector& projector, Quad_mesh mesh,
+                                 const Relax_options& relaxation, const Snap_options& features,
+                                 Observer* observer, const std::vector<int>& held);
+
 class Pipeline {
 public:
   Pipeline(const Triangle_surface& input, const Quadrangulation_options& options, Observer* observer)
@@ -424,6 +429,7 @@ private:
 
   // Where quads would be inverted, other lines between fine and coarse quads are tried, then a lower ratio.
   Result<void> relax() {
+    m_projector.emplace(m_input);
     if (m_options.relax)
       if (Result<void> finished = finish(); !finished) return finished;
     if (m_options.adaptive.ratio == 1) return {};
@@ -472,7 +478,7 @@ private:
     options.ratio = ratio;
     options.lines.turn_cost *= lines;
     if (options.quads == 0 && m_options.edge_length <= 0) options.quads = m_options.quads;
-    Result<Adapted_quads> adapted = adapt_quads(m_result.mesh, Surface_projector(m_input), options);
+    Result<Adapted_quads> adapted = adapt_quads(m_result.mesh, *m_projector, options);
     if (!adapted) return adapted.error();
     m_result.mesh = std::move(adapted->mesh);
     std::vector<int> chart;
@@ -491,7 +497,7 @@ private:
     Snap_options features = m_options.features;
     if (!m_options.keep_features) features.feature_angle = 0;
     Result<Finished_quads> finished =
-        finish_quads(std::move(m_result.mesh), m_input, options, features, m_clock.observer());
+        finish_on(*m_projector, std::move(m_result.mesh), options, features, m_clock.observer(), {});
     if (!finished) return finished.error();
     m_result.mesh = std::move(finished->mesh);
     m_result.relaxation = finished->relaxation;
@@ -528,15 +534,16 @@ private:
   std::vector<Chart_parameterization> m_maps;
   Contour_samples m_samples;
   std::vector<Placed_texture> m_textures;
+  std::optional<Surface_projector> m_projector; ///< of the input, for all attempts
 };
 
 class Finisher {
 public:
-  Finisher(const Triangle_surface& input, const Relax_options& relaxation, const Snap_options& snapping,
+  Finisher(const Surface_projector& projector, const Relax_options& relaxation, const Snap_options& snapping,
            Observer* observer, const std::vector<int>& held)
-      : m_projector(input), m_relaxation(relaxation), m_snapping(snapping), m_observer(observer),
+      : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_observer(observer),
         m_held(held) {
-    if (snapping.feature_angle > 0) m_features = feature_edges(input, snapping.feature_angle);
+    if (snapping.feature_angle > 0) m_features = feature_edges(projector.surface(), snapping.feature_angle);
   }
 
   // Quads are first relaxed without regard to sharp edges. Of the ways onto these, the first is taken that makes them no worse.
@@ -648,7 +655,7 @@ private:
     return {};
   }
 
-  Surface_projector m_projector;
+  const Surface_projector& m_projector;
   const Relax_options& m_relaxation;
   const Snap_options& m_snapping;
   std::optional<Feature_edges> m_features; // without an angle, none
@@ -656,12 +663,18 @@ private:
   const std::vector<int>& m_held;
 };
 
+Result<Finished_quads> finish_on(const Surface_projector& projector, Quad_mesh mesh,
+                                 const Relax_options& relaxation, const Snap_options& features,
+                                 Observer* observer, const std::vector<int>& held) {
+  return Finisher(projector, relaxation, features, observer, held).run(std::move(mesh));
+}
+
 } // namespace
 
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation, const Snap_options& features,
                                     Observer* observer, const std::vector<int>& held) {
-  return Finisher(input, relaxation, features, observer, held).run(std::move(mesh));
+  return finish_on(Surface_projector(input), std::move(mesh), relaxation, features, observer, held);
 }
 
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Quadrangulation_options& options,

@@ -66,12 +66,43 @@ std::array<double, 4> areas(const Hit& h) {
   return out;
 }
 
+// The corner of a quad that is straight or reflex, or -1. There is at most one, since the quad is simple.
+int reflex_corner(const Plane_quad& q) {
+  for (int i = 0; i < 4; ++i)
+    if (internal::orientation(q[(i + 3) % 4], q[i], q[(i + 1) % 4]) <= 0) return i;
+  return -1;
+}
+
+// The triangle with the point that the diagonal from a reflex corner cuts off: its corners, counterclockwise from the one whose two edges
+// are the quad's.
+std::array<int, 3> half_of(const Hit& h, int reflex) {
+  const int across = (reflex + 2) % 4;
+  return internal::orientation(h.quad[reflex], h.quad[across], h.point) > 0
+             ? std::array<int, 3>{(reflex + 3) % 4, reflex, across}
+             : std::array<int, 3>{(reflex + 1) % 4, across, reflex};
+}
+
 int nearest_edge(const Hit& h) {
   const std::array<double, 4> a = areas(h);
+  if (const int reflex = reflex_corner(h.quad); reflex >= 0) {
+    const int leaving = half_of(h, reflex)[0], arriving = (leaving + 3) % 4;
+    return a[arriving] < a[leaving] ? arriving : leaving;
+  }
   return int(std::min_element(a.begin(), a.end()) - a.begin());
 }
 
 int nearest_corner(const Hit& h) {
+  if (const int reflex = reflex_corner(h.quad); reflex >= 0) {
+    const std::array<int, 3> t = half_of(h, reflex);
+    int best = 0;
+    double most = -1;
+    for (int i = 0; i < 3; ++i)
+      if (const double w = area(h.quad[t[(i + 1) % 3]], h.quad[t[(i + 2) % 3]], h.point); w > most) {
+        most = w;
+        best = t[i];
+      }
+    return best;
+  }
   const std::array<double, 4> a = areas(h);
   std::array<double, 4> sum;
   for (int i = 0; i < 4; ++i) sum[i] = a[i] + a[(i + 3) % 4];
@@ -103,7 +134,8 @@ Texture_place point_place(const Quad_texture& texture, const Quad_corner& c, dou
   const bool first =
       internal::orientation(q[0], q[1], q[2]) > 0 && internal::orientation(q[0], q[2], q[3]) > 0;
   const Plane_point &a = q[c.corner], &b = q[(c.corner + 1) % 4];
-  for (double depth : {1.0 / 32, 0.125, 0.25, 0.5, 0.75, 1.0 / 128, 1.0 / 1024})
+  // The least ones are for corners that are nearly straight.
+  for (double depth : {1.0 / 32, 0.125, 0.25, 0.5, 0.75, 0x1p-7, 0x1p-10, 0x1p-14, 0x1p-18, 0x1p-22, 0x1p-26})
     for (int inside = 0; inside < 3; ++inside) {
       Plane_point m; // the middle of the quad's corners, or of one of its two triangles
       for (int i = 0; i < 4; ++i) {

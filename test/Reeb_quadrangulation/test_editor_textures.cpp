@@ -272,6 +272,62 @@ TEST_CASE("an edited texture stays when a contour of its chart moves") {
   }
 }
 
+TEST_CASE(
+    "edited textures stay when a saddle moves with all its contours, and are made on the way back too") {
+  Editor editor = torus_session();
+  const Surface_point saddle = at(-0.6, 0, 0), other = at(0.6, 0, 0);
+  // The chart below the saddle, whose texture is inset; an arm, which is subdivided alone, with a vertex that is dragged; the other arm stays
+  // regular, and the chart above the other saddle has no contour of this one.
+  const Surface_point below = at(-1, 0, 0.4), left = at(0, 1.4, 0), right = at(0, -1.4, 0),
+                      far = at(1, 0, 0.4);
+  for (const Surface_point& place : {below, far})
+    applied(editor, operation(Operator::inset_quads, {quad_point(editor, place, quad_near(editor, place))}));
+  applied(editor, operation(Operator::subdivide, {left}));
+  const int q = quad_near(editor, left);
+  const Surface_point vertex = vertex_point(editor, left, q, 0);
+  applied(editor,
+          Drag_vertices{{vertex}, {0.7 * vertex.point + 0.3 * quad_point(editor, left, q).point, -1}});
+  REQUIRE(editor.quads().held_vertices.size() == 1);
+  REQUIRE(editor.quads().t_junctions > 0);
+  std::map<int, Quad_texture> textures; // by their identity
+  for (const auto& chart : editor.design().charts)
+    if (chart->edited) textures[chart->texture_id] = chart->texture.texture;
+  const std::shared_ptr<const Design_chart> beyond =
+      editor.design().charts.at(std::size_t(editor.chart_at(far)));
+  REQUIRE(textures.size() == 3);
+  const std::map<int, int> before = valences(editor);
+  for (const double angle : {0.4, -0.3, 0.0}) {
+    const Point to(-0.6 * std::cos(angle), 0.6 * std::sin(angle), 0);
+    const Edit_report report = applied(editor, Move_saddle{saddle, {to, -1}});
+    CHECK(report.new_charts.size() == 3);
+    CHECK(report.lost_textures.empty());
+    CHECK(editor.design().charts.at(std::size_t(editor.chart_at(far))) == beyond);
+    std::size_t edited = 0;
+    for (const auto& chart : editor.design().charts) {
+      if (!chart->edited) continue;
+      ++edited;
+      REQUIRE(textures.count(chart->texture_id) == 1);
+      const Quad_texture& was = textures.at(chart->texture_id);
+      CHECK(chart->texture.texture.quads == was.quads);
+      CHECK(chart->texture.texture.v == was.v);
+      CHECK(chart->texture.texture.u == was.u);
+      CHECK(bool(check_texture_plane(chart->texture.texture)));
+    }
+    CHECK(edited == 3);
+    CHECK(!chart_at(editor, right).edited);
+    CHECK(valences(editor) == before);
+    CHECK(editor.quads().t_junctions > 0);
+    const Result<Stitched_mesh> finished = editor.finished_quads();
+    REQUIRE(bool(finished));
+    CHECK(stages::faults(finished->mesh, editor.input(), finished->valences, finished->components) == "");
+    CHECK(editor.quads().held_vertices.empty()); // the dragged vertex has gone with the map
+  }
+  // A saddle that is cut otherwise takes the textures around it away, and the report says which.
+  const int id = chart_at(editor, far).id;
+  const Edit_report report = applied(editor, Split_saddle{other, Saddle_kind::half, {}, 0});
+  CHECK(std::count(report.lost_textures.begin(), report.lost_textures.end(), id) == 1);
+}
+
 TEST_CASE("a chart that is cut anew loses its edited texture, and the report says so") {
   Editor editor = sphere_session();
   const int id = chart_at(editor, equator).id;
@@ -361,8 +417,10 @@ TEST_CASE("the members of texture edits go through JSON") {
   const std::vector<Edit> edits{
       operation(Operator::rotate_edge_back, {equator, at(1, 2, 3)}, 0.25, Edit_scope::surface),
       Drag_vertices{{equator}, at(0.1, 0.2, 0.3), 0.7, Falloff::linear, 3, 4, {at(1, 1, 1)}},
-      Relax_texture{equator, 7, 0.3, {at(0, 1, 0)}, Edit_scope::surface}, Snap_vertices{{equator}, 30},
-      Reset_texture{equator, Edit_scope::surface}, Fit_texture{equator, 30, Edit_scope::surface}};
+      Relax_texture{equator, 7, 0.3, {at(0, 1, 0)}, Edit_scope::surface},
+      Snap_vertices{{equator}, 30},
+      Reset_texture{equator, Edit_scope::surface},
+      Fit_texture{equator, 30, Edit_scope::surface}};
   for (const Edit& edit : edits) {
     const Result<Edit> read = edit_from_json(to_json(edit));
     REQUIRE(bool(read));
@@ -480,13 +538,13 @@ TEST_CASE("a polychord that goes through large charts again and again is refused
   CHECK(refusals > 0);
 }
 
-TEST_CASE("a concave quad can be subdivided") {
+TEST_CASE("a concave quad can be subdivided, and polychords go across each of its edges") {
   Editor editor = sphere_session();
   const int q = quad_near(editor, equator);
   const Point corner = vertex_point(editor, equator, q, 0).point,
               across = vertex_point(editor, equator, q, 2).point;
-  applied(editor, Drag_vertices{{{corner, -1}}, {corner + 0.8 * (across - corner), -1}});
-  const Quad_texture& texture = texture_at(editor, equator);
+  applied(editor, Drag_vertices{{{corner, -1}}, {corner + 0.6 * (across - corner), -1}});
+  const Quad_texture texture = texture_at(editor, equator);
   const Quad quad = texture.quads[std::size_t(q)];
   const auto side = [&](int i) { // of the quad's corner i, as seen along the way from the corner before
     const auto p = [&](int k) {
@@ -496,6 +554,24 @@ TEST_CASE("a concave quad can be subdivided") {
     return a.x() * b.y() - a.y() * b.x();
   };
   REQUIRE(side(0) < 0);
+  // Each of its edges can be named, also by what goes on through all charts; where that inverts a quad, the reason is given.
+  int inserted = 0;
+  for (int i = 0; i < 4; ++i)
+    for (const Edit_scope scope : {Edit_scope::chart, Edit_scope::surface}) {
+      INFO("edge " << i);
+      const Surface_point edge = edge_point(editor, equator, q, i);
+      const Result<Edit_report> done =
+          editor.apply(operation(Operator::insert_polychord, {edge}, 0.5, scope));
+      if (!done) {
+        CHECK(done.error().message == "the edit would invert a quad in the plane");
+        continue;
+      }
+      ++inserted;
+      editor.undo();
+      applied(editor, operation(Operator::insert_polychord, {edge}, 0.5, scope));
+      editor.undo();
+    }
+  CHECK(inserted >= 4);
   applied(editor, operation(Operator::subdivide, {equator}));
 }
 

@@ -208,6 +208,25 @@ TEST_CASE("fitting again and again comes to an end, and says so") {
   refused(editor, fit_all, "no further vertex of the texture can be put onto the sharp edges");
 }
 
+TEST_CASE("where a contour moves, the texture goes with the map, and is fitted anew") {
+  Editor editor = session(shape("twisted-bar", 4000), extrema({0, 0, 0}, {{0, 0, 4}}), 300);
+  applied(editor, Subdivide_chart{at(0.5, 0, 2)});
+  const Surface_point low = at(0.5, 0, 1.5);
+  applied(editor, Fit_texture{low});
+  const std::size_t held = editor.quads().held_vertices.size();
+  CHECK(held > 10);
+  const Edit_report report = applied(editor, Move_contour{at(0.5, 0, 2), {0, 0, 2.3}, {0, 0, 1}, {}});
+  CHECK(report.lost_textures.empty());
+  CHECK(chart_at(editor, low).edited);
+  CHECK(editor.quads().held_vertices.empty());
+  const Covered was = covered(editor);
+  applied(editor, Fit_texture{low});
+  CHECK(covered(editor).part() > was.part() + 0.05);
+  for (int v : editor.quads().held_vertices)
+    CHECK(distance_to_sharp_edges(editor.working_surface(), editor.quads().mesh.points[std::size_t(v)]) <
+          1e-9);
+}
+
 TEST_CASE("where nothing is sharp, the edit says why it does not apply") {
   Editor sphere = sphere_session();
   const Surface_point belt{Point(1, 0, 0), -1};

@@ -46,6 +46,60 @@ TEST_CASE("places by points name the same elements as places by numbers") {
   }
 }
 
+TEST_CASE("every edge and corner of a concave quad is named by a point near it") {
+  tiny::Random random(11);
+  int reflex = 0;
+  for (int round = 0; round < 200; ++round) {
+    Quad_texture t = annulus_texture(8, 6);
+    const int v = t.quads[20][0];
+    // An inner vertex goes nearly as far as its quads allow: some become concave, and some have a straight corner.
+    for (const double far : {0.99, 0.7, 0.4}) {
+      const double angle = round % 8 == 0 ? 0.25 * std::acos(-1.0) : 6.283185307 * random.unit();
+      const Texture_place place{0, 0, 20, 0};
+      const auto moved = edit_texture(t, Move_vertices{{place},
+                                                       far * std::cos(angle) / 8,
+                                                       far * std::sin(angle) / 6,
+                                                       0,
+                                                       1,
+                                                       Falloff::smooth,
+                                                       0,
+                                                       0,
+                                                       {}});
+      if (moved) t = moved->texture;
+    }
+    REQUIRE(check_texture_plane(t));
+    for (int f = 0; f < int(t.quads.size()); ++f) {
+      if (std::find(t.quads[f].begin(), t.quads[f].end(), v) == t.quads[f].end()) continue;
+      const auto p = [&](int i) { // around the annulus from the first corner
+        const int w = t.quads[f][i % 4];
+        return Eigen::Vector2d(t.v[w] + std::round(t.v[t.quads[f][0]] - t.v[w]), t.u[w]);
+      };
+      bool concave = false, nearly_straight = false; // but convex
+      for (int i = 0; i < 4; ++i) {
+        const Eigen::Vector2d a = p(i + 1) - p(i), b = p(i + 2) - p(i + 1);
+        const double turn = a.x() * b.y() - a.y() * b.x();
+        concave = concave || turn < -1e-6;
+        nearly_straight = nearly_straight || (turn > 0 && turn < 1e-9);
+      }
+      if (nearly_straight) continue;
+      reflex += concave;
+      for (int i = 0; i < 4; ++i) {
+        const Texture_place edge = edge_place(t, {f, i}), corner = vertex_place(t, {f, i});
+        CHECK(edge.quad == -1);
+        CHECK(corner.quad == -1);
+        CHECK(find_edge(t, edge)->quad == f);
+        CHECK(find_edge(t, edge)->corner == i);
+        CHECK(find_vertex(t, corner)->quad == f);
+        CHECK(find_vertex(t, corner)->corner == i);
+        if (!concave) continue;
+        const Eigen::Vector2d middle = 0.5 * (p(i) + p(i + 1)); // the edge at hand, not another
+        CHECK(std::hypot(std::remainder(edge.v - middle.x(), 1.0), edge.u - middle.y()) < 0.02);
+      }
+    }
+  }
+  CHECK(reflex > 50);
+}
+
 TEST_CASE("global subdivision and its reverse give the same bytes") {
   for (const Quad_texture& t :
        {disc_texture(1, 1), disc_texture(3, 2), annulus_texture(4, 2), annulus_texture(7, 3)}) {
