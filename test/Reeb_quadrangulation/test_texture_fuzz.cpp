@@ -58,7 +58,11 @@ Texture_edit random_edit(Random& random, const Quad_texture& t) {
   case 12: return Insert_doublet{place()};
   case 13: return Remove_doublet{place()};
   case 14: return Delete_quads{random_places(random, t)};
-  case 15: return Restore_quads{random_places(random, t)};
+  case 15: {
+    const auto hole = std::find(t.holes.begin(), t.holes.end(), 1);
+    if (hole == t.holes.end()) return Restore_quads{random_places(random, t)};
+    return Restore_quads{{{0, 0, int(hole - t.holes.begin()), 0}}};
+  }
   case 16: {
     Move_vertices move;
     move.vertices = {place()};

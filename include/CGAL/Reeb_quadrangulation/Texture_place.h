@@ -12,7 +12,8 @@ namespace Reeb_quadrangulation {
 ///
 /// The quad is the one that contains the point. The edge is the one of the quad that spans the smallest triangle with
 /// the point: it runs counterclockwise around the quad, from `corner` to the next. The vertex is the corner whose two edges
-/// span the smallest triangles. All of this is the same after an affine map of the domain.
+/// span the smallest triangles. In a quad with a straight or reflex corner these are the edges and corners of the one of the two triangles with the
+/// point that the diagonal from there cuts it into, so that they too can all be named. All of this is the same after an affine map of the domain.
 struct Texture_place {
   double v = 0, u = 0;
   int quad = -1, corner = 0;
