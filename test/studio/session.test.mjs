@@ -86,7 +86,12 @@ test("a bar of the histogram lights its quads", async () => {
   await studio.settle();
   assert.notDeepEqual(await studio.page.locator(".canvas canvas").screenshot(), before);
   await studio.picture("quality_lit");
+  await studio.page.locator(".bar:not([disabled])").first().click(); // few, which are seen from everywhere
+  const segments = () => studio.page.evaluate(() => { const { litEdges } = window.studio.stage.quads; return litEdges.object.visible ? litEdges.segments : 0; });
+  assert.ok((await segments()) >= 4);
+  await studio.picture("quality_worst");
   await studio.page.locator(".bar.chosen").click();
+  assert.equal(await segments(), 0);
 });
 
 test("counts, undo and redo", async () => {

@@ -7,11 +7,16 @@ import { Lines, markers } from "./lines";
 import { markerMaterial, quadMaterial } from "./materials";
 import { vertexNormals } from "./surface";
 
+/** Quads that shine are seen through the others if they are fewer than one in so many. */
+const fewOf = 10;
+
 export type QuadColour = "plain" | "quality" | "charts";
 
 export class Quads {
   readonly group = new THREE.Group();
   readonly edges = new Lines(1.1, 0x23262d, { opacity: 0.8 });
+  /** Of the few quads that shine, wherever they are. */
+  readonly litEdges = new Lines(2, 0xffa726, { hidden: true });
   readonly faces = new THREE.Mesh(new THREE.BufferGeometry(), quadMaterial());
   positions = new Float32Array();
   corners = new Uint32Array();
@@ -31,9 +36,10 @@ export class Quads {
   constructor() {
     this.faces.frustumCulled = false;
     this.edges.object.renderOrder = 1;
+    this.litEdges.object.renderOrder = 4;
     this.markerMaterial.uniforms.size!.value = 15;
     this.markerMaterial.uniforms.ratio!.value = Math.min(devicePixelRatio, 2);
-    this.group.add(this.faces, this.edges.object);
+    this.group.add(this.faces, this.edges.object, this.litEdges.object);
   }
 
   private get shows(): boolean {
@@ -80,12 +86,18 @@ export class Quads {
   light(lit: ((quality: number) => boolean) | null): void {
     this.lit = lit;
     this.isPainted = false;
+    const shining: number[] = [];
+    if (lit) this.quality.forEach((quality, q) => lit(quality) && shining.push(q));
+    const isFew = shining.length * fewOf < this.quality.length;
+    this.litEdges.set(isFew ? edgePairs(this.positions, new Uint32Array(shining.flatMap((q) => [...this.corners.subarray(4 * q, 4 * q + 4)]))) : new Float32Array());
+    this.show(this.showsFaces, this.showsValences);
   }
 
   show(faces: boolean, valences: boolean): void {
     [this.showsFaces, this.showsValences] = [faces, valences];
     this.faces.visible = faces && !this.isEmpty;
     this.edges.show(faces && !this.isEmpty);
+    this.litEdges.show(faces && !this.isEmpty);
     if (this.irregular) this.irregular.visible = valences && !this.isEmpty;
   }
 

@@ -50,6 +50,7 @@ export function qualityPanel(store: Store, choose: (bin: Bin) => void): HTMLElem
     );
   };
   store.watch(["state"], () => {
+    if (chosen >= 0) choose(null);
     chosen = -1;
     draw();
   });
