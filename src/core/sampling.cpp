@@ -157,9 +157,23 @@ void lock_columns(const Sampling_chart& chart, int c, Count_problem& counts) {
   counts.rows.push_back(std::move(columns));
 }
 
+// Per contour edge: how far its count reaches into the charts on both sides, half across each.
+std::vector<double> reaches(const Sampling_problem& problem) {
+  std::vector<double> result(problem.edges.size(), 0);
+  for (const Sampling_chart& chart : problem.charts)
+    for (const std::vector<int>* walk : {&chart.low, &chart.high}) {
+      double length = 0;
+      for (int e : *walk) length += problem.edges[e].length;
+      // A disc is a square, whose side is a quarter of its boundary.
+      for (int e : *walk) result[e] += 0.5 * (chart.kind == Kind::disc ? length / 4 : chart.height);
+    }
+  return result;
+}
+
 Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
                             const Sampling_options& options) {
   Count_problem counts;
+  const std::vector<double> reach = reaches(problem);
   for (std::size_t e = 0; e < problem.edges.size(); ++e) {
     const Sampling_edge& edge = problem.edges[e];
     Count_variable v;
@@ -168,9 +182,9 @@ Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
     v.minimum = v.fixed ? edge.locked : (edge.minimum + edge.step - 1) / edge.step * edge.step;
     if (wish.h > 0) {
       v.cost.ideal = edge.length / wish.h;
-      v.cost.quadratic = 1 / v.cost.ideal;
+      v.cost.weight = std::max(1.0, reach[e] / wish.h); // rows of quads
       v.cost.previous = options.previous_counts.empty() ? 0 : options.previous_counts[e];
-      if (v.cost.previous > 0) v.cost.stability = 2 * options.stability * v.cost.quadratic;
+      if (v.cost.previous > 0) v.cost.stability = 2 * options.stability * v.cost.weight / v.cost.ideal;
     }
     counts.variables.push_back(v);
   }

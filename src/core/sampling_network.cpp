@@ -115,7 +115,7 @@ void Scaled_flow::start_at_individual_optimum() {
   for (Arc& a : m_arcs) {
     const Count_variable& v = m_problem.variables[a.variable];
     const double steps = (v.cost.ideal - v.minimum) / v.step;
-    a.k = v.cost.quadratic > 0 ? std::int64_t(std::floor(std::max(0.0, steps))) : 0;
+    a.k = v.cost.weight > 0 ? std::int64_t(std::floor(std::max(0.0, steps))) : 0;
     while (marginal(a, true, 1) < 0) ++a.k;
     while (a.k > 0 && marginal(a, false, 1) < 0) --a.k;
   }

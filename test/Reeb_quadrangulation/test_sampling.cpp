@@ -140,12 +140,23 @@ void require_valid(const Sampling_problem& problem, const Sampling& s) {
   REQUIRE(quads == s.quads);
 }
 
+// What n steps on contour edge e cost: the rows beside it, times how much their quads are stretched.
+double cost(const Sampling_problem& problem, std::size_t e, double n, double h) {
+  double reach = 0;
+  for (const Sampling_chart& c : problem.charts)
+    for (const std::vector<int>& walk : {c.low, c.high}) {
+      double length = 0;
+      for (int f : walk) length += problem.edges[std::size_t(f)].length;
+      const double across = c.kind == Kind::annulus ? c.height : length / 4;
+      reach += across / 2 * double(std::count(walk.begin(), walk.end(), int(e)));
+    }
+  const double ideal = problem.edges[e].length / h;
+  return std::max(1.0, reach / h) * (n - ideal) * (n - ideal) / n;
+}
+
 double cost(const Sampling_problem& problem, const std::vector<int>& counts, double h) {
   double total = 0;
-  for (std::size_t e = 0; e < counts.size(); ++e) {
-    const double d = problem.edges[e].length / h;
-    total += (counts[e] - d) * (counts[e] - d) / d;
-  }
+  for (std::size_t e = 0; e < counts.size(); ++e) total += cost(problem, e, counts[e], h);
   return total;
 }
 
@@ -272,16 +283,15 @@ TEST_CASE("no cycle of moves improves a large sampling") {
     for (int round = 0; round <= ground + 1 && changed; ++round) {
       changed = false;
       for (std::size_t e = 0; e < edges.size(); ++e) {
-        const double d = edges[e].length / h, n = s->counts[e];
-        const double up = ((n + 2 - d) * (n + 2 - d) - (n - d) * (n - d)) / d;
-        const double down = ((n - 2 - d) * (n - 2 - d) - (n - d) * (n - d)) / d;
+        const int n = s->counts[e];
+        const double now = cost(layout.problem, e, n, h), up = cost(layout.problem, e, n + 2, h) - now;
         const auto relax = [&](int a, int b, double length) {
           if (distance[a] + length >= distance[b] - 1e-9) return;
           distance[b] = distance[a] + length;
           changed = true;
         };
         relax(from[e], to[e], up);
-        if (n - 2 >= edges[e].minimum) relax(to[e], from[e], down);
+        if (n - 2 >= edges[e].minimum) relax(to[e], from[e], cost(layout.problem, e, n - 2, h) - now);
       }
     }
     CHECK_FALSE(changed);

@@ -13,7 +13,9 @@
 ///
 /// The problem is one of integers alone. Every contour edge `e` has one count `n_e`, shared by the charts on
 /// its two sides; an annulus has as many columns on its low walk as on its high walk (conservation). Counts
-/// want to be `length / h`, and the sum of `(n_e - length / h)^2 / (length / h)` is minimised. When every
+/// want to be `i_e = length / h`. A quad that is `r = n_e / i_e` times too narrow costs `r + 1 / r - 2`: twice as many
+/// columns as wanted cost as much as half as many. The rows of quads that go by a contour edge reach half across the charts
+/// beside it; with `w_e` of them (at least one) the sum of `w_e (n_e - i_e)^2 / n_e` is minimised. When every
 /// count is carried from a chart to the one above it, conservation says that counts are a flow on the Reeb
 /// graph, and the minimum is found exactly by scaled successive shortest paths (Ahuja, Magnanti, Orlin,
 /// "Network Flows", 1993, sec. 14.5). Layouts that are not a network (an edge with two different charts on

@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Result.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -17,15 +18,16 @@ namespace internal {
 /// makes.
 struct Count_cost {
   double ideal = 0;
-  double quadratic = 0; ///< times (n - ideal)^2
+  double weight = 0;    ///< times (n - ideal)^2 / n: twice as many cost as much as half as many
   double stability = 0; ///< times |n - previous|
   double linear = 0;    ///< times n
   double cap = 0;       ///< times the quads of a cap with n edges around it
   int previous = 0;
 
   double operator()(std::int64_t n) const {
-    const double d = double(n) - ideal;
-    double cost = quadratic * d * d + linear * double(n);
+    const double m = double(std::max<std::int64_t>(n, 1)), d = m - ideal;
+    // Below one it goes on as a line, which keeps it convex.
+    double cost = weight * (d * d / m + (m - double(n)) * ideal * ideal) + linear * double(n);
     if (stability > 0) cost += stability * std::abs(double(n - previous));
     if (cap > 0) cost += cap * double((n / 4) * (n / 2 - n / 4));
     return cost;
