@@ -169,4 +169,19 @@ test("the recipe repeats it byte for byte", async () => {
   assert.ok(quads.equals(readFileSync(studio.path("texture.obj"))));
 });
 
+test("a texture is fitted to the sharp edges in its chart", async () => {
+  await studio.page.keyboard.press("Escape");
+  await studio.upload(studio.shape("twisted-bar", 3000));
+  await studio.suggest();
+  tube = (await studio.state()).facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
+  await studio.tool("texture");
+  const inside = await studio.page.evaluate((id) => window.studio.stage.surface.insideOf(id).toArray(), tube.id);
+  await studio.clickOn(inside, 1.6);
+  await studio.page.waitForSelector(".chart-view:not([hidden])");
+  const state = await shown(() => operator("fit"));
+  assert.equal((await edits()).at(-1).edit, "fit_texture");
+  assert.equal(state.certificate.passed, true);
+  await studio.picture("texture_fitted");
+});
+
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

@@ -278,6 +278,7 @@ export class TextureTool implements Tool {
           immediate("Subdivide", "subdivide", (at) => ({ edit: "edit_texture", operator: "subdivide", points: [at] })),
           immediate("Coarsen", "coarsen", (at) => ({ edit: "edit_texture", operator: "coarsen", points: [at] })),
           immediate("Relax", "relax_all", (at) => ({ edit: "relax_texture", at, anchors: this.anchorPoints() })),
+          immediate("Fit", "fit", (at) => ({ edit: "fit_texture", at })),
           immediate("Regular", "reset", (at) => ({ edit: "reset_texture", at })),
         )),
       ),
