@@ -151,10 +151,6 @@ bool stages(int quads) {
   return seconds >= 0;
 }
 
-} // namespace
-
-namespace {
-
 // The texture of the largest chart of a twisted bar onto its sharp edges.
 bool fit(int quads) {
   Editor_options options;

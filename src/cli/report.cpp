@@ -102,7 +102,7 @@ Json relaxation_json(const Relax_report& relaxation) {
           {"inverted_before", relaxation.inverted_before},
           {"inverted_after", relaxation.inverted_after},
           {"intersections_after", relaxation.intersections_after},
-          {"off_surface_vertices", relaxation.off_surface_vertices},
+          {"off_surface_vertices", relaxation.off_surface.size()},
           {"largest_offset", relaxation.largest_offset}};
 }
 

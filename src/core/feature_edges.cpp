@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 
+#include "sharp_edge.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,13 +12,6 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 
 namespace {
-
-const double radians_per_degree = std::acos(-1.0) / 180;
-
-Point area_normal(const Triangle_surface& s, int f) {
-  const Triangle& t = s.triangles[f];
-  return (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]);
-}
 
 // Calls `use(h)` for each feature halfedge that leaves v; a boundary halfedge that enters v is given as -1 -
 // h.
@@ -51,21 +46,19 @@ bool is_corner(const Triangle_surface& s, const std::vector<char>& feature, int 
   return -direction_from(s, codes[0]).dot(direction_from(s, codes[1])) < corner_cosine;
 }
 
-// The halfedges of boundary and sharp edges.
-std::vector<char> find_features(const Triangle_surface& s, double dihedral_angle) {
+// The halfedges of sharp edges.
+std::vector<char> sharp_halfedges(const Triangle_surface& s, double dihedral_angle) {
   std::vector<char> feature(s.number_of_halfedges(), 0);
   std::vector<Point> normal;
   if (dihedral_angle > 0) {
     normal.reserve(s.number_of_faces());
-    for (int f = 0; f < s.number_of_faces(); ++f) normal.push_back(area_normal(s, f));
+    for (int f = 0; f < s.number_of_faces(); ++f) normal.push_back(internal::area_normal(s, f));
   }
-  const double cosine = std::cos(dihedral_angle * radians_per_degree);
+  const double cosine = internal::cosine_of(dihedral_angle);
   for (int h = 0; h < s.number_of_halfedges(); ++h) {
     const int o = s.opposite[h];
-    if (o < 0) feature[h] = 1;
     if (o < h || dihedral_angle <= 0) continue;
-    const Point &m = normal[h / 3], &n = normal[o / 3];
-    feature[h] = feature[o] = m.dot(n) < cosine * std::sqrt(m.squaredNorm() * n.squaredNorm());
+    feature[h] = feature[o] = internal::is_sharp(normal[h / 3], normal[o / 3], cosine);
   }
   return feature;
 }
@@ -73,7 +66,7 @@ std::vector<char> find_features(const Triangle_surface& s, double dihedral_angle
 } // namespace
 
 Feature_edges feature_edges(const Triangle_surface& s, double dihedral_angle, double corner_angle) {
-  return feature_edges(s, find_features(s, dihedral_angle), corner_angle);
+  return feature_edges(s, sharp_halfedges(s, dihedral_angle), corner_angle);
 }
 
 Feature_edges feature_edges(const Triangle_surface& s, std::vector<char> feature, double corner_angle) {
@@ -85,7 +78,7 @@ Feature_edges feature_edges(const Triangle_surface& s, std::vector<char> feature
   for (int h = 0; h < nh; ++h)
     if (feature[h]) has_feature[s.source(h)] = has_feature[s.target(h)] = 1;
   for (int v = 0; v < s.number_of_vertices(); ++v)
-    if (has_feature[v] && is_corner(s, feature, v, std::cos(corner_angle * radians_per_degree))) {
+    if (has_feature[v] && is_corner(s, feature, v, internal::cosine_of(corner_angle))) {
       corner[v] = 1;
       result.corners.push_back(v);
     }

@@ -4,6 +4,7 @@
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
+#include "sharp_edge.h"
 #include "texture_plane.h"
 
 #include <CGAL/assertions.h>
@@ -15,26 +16,17 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-namespace {
-
-Point area_normal(const Triangle_surface& s, int f) {
-  const Triangle& t = s.triangles[f];
-  return (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]);
-}
-
-} // namespace
-
 Feature_edges features_inside(const Chart& chart, const Triangle_surface& surface, double angle) {
   const Triangle_surface& mesh = chart.mesh;
-  const double cosine = std::cos(angle * std::acos(-1.0) / 180);
+  const double cosine = internal::cosine_of(angle);
   std::vector<char> sharp(mesh.number_of_halfedges(), 0);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
     const int o = mesh.opposite[h];
     if (o < h) continue;
     const int f = chart.face_origin[mesh.face(h)], g = chart.face_origin[mesh.face(o)];
     if (f == g) continue;
-    const Point m = area_normal(surface, f), n = area_normal(surface, g);
-    sharp[h] = sharp[o] = m.dot(n) < cosine * std::sqrt(m.squaredNorm() * n.squaredNorm());
+    sharp[h] = sharp[o] =
+        internal::is_sharp(internal::area_normal(surface, f), internal::area_normal(surface, g), cosine);
   }
   Feature_edges features = feature_edges(mesh, std::move(sharp));
   features.corners.erase(std::remove_if(features.corners.begin(), features.corners.end(),

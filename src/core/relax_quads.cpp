@@ -206,7 +206,7 @@ void measure_offsets(const State& state, Relax_report& report) {
     const Point& p = state.mesh.points[v];
     const double offset = std::sqrt(state.projector.closest_nearby(p, state.sites[v].face).squared_distance);
     if (offset <= 1e-9 * extent) continue; // rounding
-    ++report.off_surface_vertices;
+    report.off_surface.push_back(v);
     report.largest_offset = std::max(report.largest_offset, offset);
   }
 }

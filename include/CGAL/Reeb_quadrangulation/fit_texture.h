@@ -26,8 +26,8 @@ struct Fitted_texture {
 /// becomes an anchor.
 ///
 /// The quads are those of the chart in space; where they have come to goes back to (V, U) by the chart's map. A quad that would be
-/// inverted in the plane (exact), or face away from the surface or be inverted in space and was not before, keeps its vertices
-/// where they were. The number and connectivity of the quads do not change. O((V + S) log (V + S) + F log F) for V vertices, and S sharp
+/// inverted in the plane (exact), or come to face away from the surface, or whose scaled Jacobian would be below 0.2 and lower than it
+/// was, keeps its vertices where they were. The number and connectivity of the quads do not change. O((V + S) log (V + S) + F log F) for V vertices, and S sharp
 /// edges and F faces of the chart. \pre `features` are of the chart's mesh.
 Fitted_texture fit_texture(const Placed_texture& placed, const Chart& chart,
                            const Chart_parameterization& map, const Feature_edges& features);

@@ -27,11 +27,12 @@ struct Relax_report {
   double worst_before = 0, worst_after = 0; ///< least scaled Jacobian
   double mean_before = 0, mean_after = 0;
   int inverted_before = 0, inverted_after = 0; ///< quads with a scaled Jacobian of 0 or less
-  int intersections_after = 0;  ///< pairs of quads that meet beyond what they share; counted by `untangle`
-  int boundary_vertices = 0;    ///< vertices that slide on a boundary loop of the input, or are held there
-  int moved_vertices = 0;       ///< vertices whose position changed
-  int off_surface_vertices = 0; ///< not fixed, and yet off the input, so that quads do not intersect
-  double largest_offset = 0;    ///< distance of the farthest of these
+  int intersections_after = 0; ///< pairs of quads that meet beyond what they share; counted by `untangle`
+  int boundary_vertices = 0;   ///< vertices that slide on a boundary loop of the input, or are held there
+  int moved_vertices = 0;      ///< vertices whose position changed
+  std::vector<int>
+      off_surface;           ///< vertices, not fixed, and yet off the input, so that quads do not intersect
+  double largest_offset = 0; ///< distance of the farthest of these
 };
 
 /// The least, over the four corners, of `N . (a x b) / (|a| |b|)`, where a arrives at and b leaves the corner
