@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Reeb_quadrangulation)
 
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
-install(TARGETS Reeb_quadrangulation EXPORT Reeb_quadrangulationTargets
+install(TARGETS Reeb_quadrangulation Reeb_quadrangulation_picture EXPORT Reeb_quadrangulationTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET reebquad)
   install(TARGETS reebquad RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

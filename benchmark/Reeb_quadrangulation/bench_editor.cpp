@@ -4,7 +4,7 @@
 // Usage: bench_editor [shape [triangles [edits of each kind]]]
 #include "bench_tools.h"
 
-#include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
+#include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 
 #include <nlohmann/json.hpp>

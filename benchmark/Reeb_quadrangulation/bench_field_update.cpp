@@ -6,10 +6,10 @@
 // Usage: bench_field_update [shape [triangles [edits of each kind]]]
 #include "bench_tools.h"
 
+#include "base/parallel_for.h"
+#include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
-#include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
-#include <CGAL/Reeb_quadrangulation/internal/parallel_for.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/suggest_edits.h>
 

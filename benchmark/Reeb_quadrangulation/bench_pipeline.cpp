@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole run and the share of each stage at growing sizes, beside CHOLMOD on the same surface's Laplacian: JSON lines.
 // Usage: bench_pipeline [shape [repetitions [triangles ...]]]. Seconds are CPU time; medians over the repetitions.
+#include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
-#include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>

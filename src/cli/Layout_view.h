@@ -4,7 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
-#include <server/Layers.h>
+#include "view/Layers.h"
 
 namespace reebquad {
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Reeb_quadrangulation/render.h>
 
-#include <server/Skeleton.h>
+#include "view/Skeleton.h"
 
 #include <filesystem>
 

@@ -3,7 +3,7 @@
 #include "Layout_view.h"
 #include "Run.h"
 
-#include <server/Html_report.h>
+#include "view/Html_report.h"
 
 namespace reebquad {
 

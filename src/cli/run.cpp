@@ -5,12 +5,12 @@
 #include "Interruption.h"
 #include "Terminal_observer.h"
 
+#include "base/stage_clock.h"
+#include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
-#include <CGAL/Reeb_quadrangulation/internal/keep_freed_memory.h>
-#include <CGAL/Reeb_quadrangulation/internal/stage_clock.h>
 
-#include <server/Html_report.h>
+#include "view/Html_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "Command.h"
 #include "Interruption.h"
 
-#include <server/Assets.h>
-#include <server/Folder.h>
-#include <server/Server.h>
+#include "server/Server.h"
+#include "session/Folder.h"
+#include "view/Assets.h"
 
 #include <chrono>
 #include <cstdio>

@@ -3,9 +3,9 @@
 #ifndef REEBQUAD_TEST_LAYOUT_STAGES_H
 #define REEBQUAD_TEST_LAYOUT_STAGES_H
 
+#include "base/pointers_to.h"
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
-#include <CGAL/Reeb_quadrangulation/internal/pointers_to.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include "tiny_surfaces.h"

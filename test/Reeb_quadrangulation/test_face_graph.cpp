@@ -4,11 +4,11 @@
 #include "concepts/texture_traits_archetype.h"
 #include "tiny_surfaces.h"
 
+#include "base/pointers_to.h"
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
-#include <CGAL/Reeb_quadrangulation/internal/pointers_to.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/Surface_editor.h"
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
-#include <CGAL/Reeb_quadrangulation/internal/Surface_editor.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 

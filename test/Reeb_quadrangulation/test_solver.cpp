@@ -4,7 +4,7 @@
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 
-#include "../../src/core/solver_kernels.h"
+#include "linear/kernels.h"
 #include "tiny_surfaces.h"
 
 #include <Eigen/Dense>

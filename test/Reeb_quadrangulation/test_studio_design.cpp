@@ -9,9 +9,9 @@
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
-#include <server/Design_drawing.h>
-#include <server/Frame_patch.h>
-#include <server/Session.h>
+#include "session/Session.h"
+#include "view/Design_drawing.h"
+#include "view/Frame_patch.h"
 
 #include <functional>
 #include <map>

@@ -4,7 +4,7 @@
 #include "temporary_folder.h"
 #include "tiny_surfaces.h"
 
-#include <server/Server.h>
+#include "server/Server.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 

@@ -2,13 +2,13 @@
 // The parts of the studio's server without sockets: messages, files, the saved session, the worker.
 #include "temporary_folder.h"
 
-#include <server/Client.h>
-#include <server/Folder.h>
-#include <server/Frame.h>
-#include <server/Frame_patch.h>
-#include <server/Request.h>
-#include <server/Store.h>
-#include <server/Worker.h>
+#include "server/Client.h"
+#include "server/Request.h"
+#include "server/Worker.h"
+#include "session/Folder.h"
+#include "session/Store.h"
+#include "view/Frame.h"
+#include "view/Frame_patch.h"
 
 #include <csignal>
 #include <future>

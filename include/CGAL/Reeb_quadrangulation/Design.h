@@ -2,8 +2,10 @@
 #ifndef CGAL_REEB_QUADRANGULATION_DESIGN_H
 #define CGAL_REEB_QUADRANGULATION_DESIGN_H
 
-#include <CGAL/Reeb_quadrangulation/Edit.h>
-#include <CGAL/Reeb_quadrangulation/stitch.h>
+#include <CGAL/Reeb_quadrangulation/Pole_kind.h>
+#include <CGAL/Reeb_quadrangulation/Surface_point.h>
+#include <CGAL/Reeb_quadrangulation/Texture_place.h>
+#include <CGAL/Reeb_quadrangulation/place_texture.h>
 
 #include <memory>
 #include <vector>

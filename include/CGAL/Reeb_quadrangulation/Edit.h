@@ -2,6 +2,8 @@
 #ifndef CGAL_REEB_QUADRANGULATION_EDIT_H
 #define CGAL_REEB_QUADRANGULATION_EDIT_H
 
+#include <CGAL/Reeb_quadrangulation/Pole_kind.h>
+#include <CGAL/Reeb_quadrangulation/Surface_point.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 
@@ -17,23 +19,10 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// A point on the surface. `vertex` is a hint: it is taken if it is a vertex at exactly this point; else the nearest one is.
-struct Surface_point {
-  Point point = Point::Zero();
-  int vertex = -1;
-};
-
 /// How far an edit of extrema reaches.
 enum class Edit_scope : signed char {
   chart,  ///< only the charts around the extremum are designed anew; all other contours stay
   surface ///< the field is solved on the whole surface; edits of contours are lost
-};
-
-/// How an extremum becomes quads (paper, section 6.3).
-enum class Pole_kind : signed char {
-  whole,  ///< one vertex in a fan of triangles: not all-quad
-  half,   ///< the two ends of a segment, of valence 2
-  quarter ///< four vertices of valence 3 (default)
 };
 
 /// How a saddle becomes vertices.

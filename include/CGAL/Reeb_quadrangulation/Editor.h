@@ -4,22 +4,16 @@
 
 #include <CGAL/Reeb_quadrangulation/Design.h>
 #include <CGAL/Reeb_quadrangulation/Edit.h>
-#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+#include <CGAL/Reeb_quadrangulation/Editor_options.h>
+#include <CGAL/Reeb_quadrangulation/Observer.h>
+#include <CGAL/Reeb_quadrangulation/finish_quads.h>
+#include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
-
-/// Options of an editing session. They are part of what a recipe depends on.
-struct Editor_options {
-  int quads = 3000;       ///< of the first design; later `Set_target` edits change it
-  double edge_length = 0; ///< used instead if positive
-  bool prepare = true;    ///< work on a refined copy where the surface is coarse; see `prepare_surface()`
-  double sample_blend = 0.5;
-  int threads = 0; ///< charts solved at once; 0 = as many as the machine has. Results do not depend on it
-};
 
 /// What an edit, an undo or a redo changed.
 struct Edit_report {

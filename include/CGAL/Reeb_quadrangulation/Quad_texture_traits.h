@@ -2,7 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_QUAD_TEXTURE_TRAITS_H
 #define CGAL_REEB_QUADRANGULATION_QUAD_TEXTURE_TRAITS_H
 
-#include <CGAL/Reeb_quadrangulation/stitch.h>
+#include <CGAL/Reeb_quadrangulation/place_texture.h>
 
 #include <array>
 #include <vector>

@@ -3,6 +3,7 @@
 #define CGAL_REEB_QUADRANGULATION_REEB_LAYOUT_H
 
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
+#include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 
 #include <map>
 #include <vector>
@@ -49,6 +50,10 @@ Traced_contour trace_cap(const Closed_surface& closed, const Vertex_order& order
 /// ones, so that an editor's contours keep different numbers for life.
 Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field,
                                 int first_edge = 0);
+
+/// Fills in `field.values` by a field on this surface that keeps its factorization; its constraints are replaced: harmonic, with
+/// `extremal_values`, else 0 at minima and 1 at maxima. Fails with `solver_failure`.
+Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmonic, Designed_field& field);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -2,8 +2,8 @@
 #ifndef CGAL_REEB_QUADRANGULATION_CHART_TEXTURE_EDIT_H
 #define CGAL_REEB_QUADRANGULATION_CHART_TEXTURE_EDIT_H
 
+#include <CGAL/Reeb_quadrangulation/Placed_texture.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
-#include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include <vector>
 

@@ -6,10 +6,9 @@
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
 #include <CGAL/Reeb_quadrangulation/adapt_quads.h>
+#include <CGAL/Reeb_quadrangulation/finish_quads.h>
+#include <CGAL/Reeb_quadrangulation/layout_sampling.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
-#include <CGAL/Reeb_quadrangulation/relax_quads.h>
-#include <CGAL/Reeb_quadrangulation/sampling.h>
-#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
@@ -95,19 +94,6 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
 
-/// Quads after the last stage, and what it did.
-struct Finished_quads {
-  Quad_mesh mesh;
-  Relax_report relaxation;
-  Snap_report features;
-};
-
-/// The last stage: relaxes quads on the input surface; where `features.feature_angle > 0`, moves vertices onto sharp edges and
-/// relaxes again with these held. The vertices in `held` stay where they are.
-Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
-                                    const Relax_options& relaxation = {}, const Snap_options& features = {},
-                                    Observer* observer = nullptr, const std::vector<int>& held = {});
-
 /// The extrema that the options ask for, in increasing order, and whether each boundary loop is a maximum; `values` is left empty.
 Result<Designed_field> choose_extrema(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
@@ -116,18 +102,6 @@ Result<Designed_field> choose_extrema(const Triangle_surface& surface,
 /// Fills in `field.values`: harmonic, with `extremal_values`, else 0 at minima and 1 at maxima. Fails with `solver_failure`.
 Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_options& options,
                          Designed_field& field);
-/// The same by a field on this surface that keeps its factorization; its constraints are replaced.
-Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmonic, Designed_field& field);
-
-/// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left out: its edge `i` is
-/// contour edge `edges[i]` of the network. `points` are those of the network's vertices.
-struct Layout_sampling_problem {
-  Sampling_problem problem;
-  std::vector<int> edges;
-};
-Layout_sampling_problem sampling_problem(const std::vector<Point>& points, const Contour_network& network,
-                                         const Atlas& atlas, const std::vector<double>& heights);
-Layout_sampling_problem sampling_problem(const Reeb_layout& layout, const std::vector<double>& heights);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

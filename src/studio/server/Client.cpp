@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Client.h"
+#include "server/Client.h"
 
 #include <algorithm>
 

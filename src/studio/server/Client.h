@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_CLIENT_H
-#define REEBQUAD_STUDIO_CLIENT_H
+#ifndef REEBQUAD_SERVER_CLIENT_H
+#define REEBQUAD_SERVER_CLIENT_H
 
 #include <cstdint>
 #include <deque>
@@ -47,4 +47,4 @@ public:
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_CLIENT_H
+#endif // REEBQUAD_SERVER_CLIENT_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Connection.h"
+#include "server/Connection.h"
 
-#include "Assets.h"
-#include "Socket_connection.h"
+#include "server/Socket_connection.h"
+#include "view/Assets.h"
 
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>

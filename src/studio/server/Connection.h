@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_CONNECTION_H
-#define REEBQUAD_STUDIO_CONNECTION_H
+#ifndef REEBQUAD_SERVER_CONNECTION_H
+#define REEBQUAD_SERVER_CONNECTION_H
 
-#include "Gate.h"
-#include "Hub.h"
-#include "Server.h"
+#include "server/Gate.h"
+#include "server/Hub.h"
+#include "server/Server.h"
 
 #include <boost/asio/ip/tcp.hpp>
 
@@ -41,4 +41,4 @@ private:
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_CONNECTION_H
+#endif // REEBQUAD_SERVER_CONNECTION_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Gate.h"
+#include "server/Gate.h"
 
 #include <array>
 #include <cerrno>

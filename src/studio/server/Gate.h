@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_GATE_H
-#define REEBQUAD_STUDIO_GATE_H
+#ifndef REEBQUAD_SERVER_GATE_H
+#define REEBQUAD_SERVER_GATE_H
 
 #include <string>
 #include <string_view>
@@ -53,4 +53,4 @@ private:
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_GATE_H
+#endif // REEBQUAD_SERVER_GATE_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Hub.h"
+#include "server/Hub.h"
 
-#include "Frame_patch.h"
+#include "view/Frame_patch.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 

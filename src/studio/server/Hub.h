@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_HUB_H
-#define REEBQUAD_STUDIO_HUB_H
+#ifndef REEBQUAD_SERVER_HUB_H
+#define REEBQUAD_SERVER_HUB_H
 
-#include "Client.h"
-#include "Request.h"
-#include "Session.h"
-#include "Worker.h"
+#include "server/Client.h"
+#include "server/Request.h"
+#include "server/Worker.h"
+#include "session/Session.h"
 
 #include <functional>
 #include <set>
@@ -78,4 +78,4 @@ private:
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_HUB_H
+#endif // REEBQUAD_SERVER_HUB_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Request.h"
+#include "server/Request.h"
 
 #include <array>
 

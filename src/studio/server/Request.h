@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_REQUEST_H
-#define REEBQUAD_STUDIO_REQUEST_H
+#ifndef REEBQUAD_SERVER_REQUEST_H
+#define REEBQUAD_SERVER_REQUEST_H
 
-#include "Json.h"
+#include "view/Json.h"
 
 #include <CGAL/Reeb_quadrangulation/Result.h>
 
@@ -52,4 +52,4 @@ std::int64_t request_id(std::string_view text);
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_REQUEST_H
+#endif // REEBQUAD_SERVER_REQUEST_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_SERVER_H
-#define REEBQUAD_STUDIO_SERVER_H
+#ifndef REEBQUAD_SERVER_SERVER_H
+#define REEBQUAD_SERVER_SERVER_H
 
 #include <chrono>
 #include <cstdint>
@@ -47,4 +47,4 @@ private:
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_SERVER_H
+#endif // REEBQUAD_SERVER_SERVER_H

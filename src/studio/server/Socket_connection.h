@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_SOCKET_CONNECTION_H
-#define REEBQUAD_STUDIO_SOCKET_CONNECTION_H
+#ifndef REEBQUAD_SERVER_SOCKET_CONNECTION_H
+#define REEBQUAD_SERVER_SOCKET_CONNECTION_H
 
-#include "Connection.h"
+#include "server/Connection.h"
 
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/message.hpp>
@@ -19,4 +19,4 @@ void serve_socket(boost::beast::tcp_stream stream,
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_SOCKET_CONNECTION_H
+#endif // REEBQUAD_SERVER_SOCKET_CONNECTION_H

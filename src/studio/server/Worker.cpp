@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Worker.h"
+#include "server/Worker.h"
 
 #include <chrono>
 #include <new>

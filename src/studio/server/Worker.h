@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef REEBQUAD_STUDIO_WORKER_H
-#define REEBQUAD_STUDIO_WORKER_H
+#ifndef REEBQUAD_SERVER_WORKER_H
+#define REEBQUAD_SERVER_WORKER_H
 
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 
@@ -62,4 +62,4 @@ private:
 } // namespace studio
 } // namespace reebquad
 
-#endif // REEBQUAD_STUDIO_WORKER_H
+#endif // REEBQUAD_SERVER_WORKER_H

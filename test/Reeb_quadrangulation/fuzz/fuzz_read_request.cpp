@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What strangers can send to the studio's server before anything is known of them: messages, cookies, names of files.
-#include <server/Folder.h>
-#include <server/Gate.h>
-#include <server/Request.h>
+#include "server/Gate.h"
+#include "server/Request.h"
+#include "session/Folder.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_REEB_QUADRANGULATION_FINISH_QUADS_H
+#define CGAL_REEB_QUADRANGULATION_FINISH_QUADS_H
+
+#include <CGAL/Reeb_quadrangulation/Observer.h>
+#include <CGAL/Reeb_quadrangulation/relax_quads.h>
+#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// Quads after the last stage, and what it did.
+struct Finished_quads {
+  Quad_mesh mesh;
+  Relax_report relaxation;
+  Snap_report features;
+};
+
+/// The last stage: relaxes quads on the input surface; where `features.feature_angle > 0`, moves vertices onto sharp edges and
+/// relaxes again with these held. The vertices in `held` stay where they are.
+Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
+                                    const Relax_options& relaxation = {}, const Snap_options& features = {},
+                                    Observer* observer = nullptr, const std::vector<int>& held = {});
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // CGAL_REEB_QUADRANGULATION_FINISH_QUADS_H

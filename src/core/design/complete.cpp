@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From contours to textures: what is new in a draft is mapped, sampled and filled.
+#include "design/draft.h"
+#include "design/pole_texture.h"
+
+#include "base/parallel_for.h"
+#include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
+#include <CGAL/Reeb_quadrangulation/layout_sampling.h>
+#include <CGAL/Reeb_quadrangulation/place_texture.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+class Completion {
+public:
+  explicit Completion(Draft& draft) : m_draft(draft), m_before(draft.before()) {
+    m_threads = internal::number_of_threads(draft.options().threads);
+  }
+
+  Result<Design> run() {
+    take_over();
+    if (Result<void> kept = keep_locked(); !kept) return kept.error();
+    if (Result<void> done = prepare_maps(); !done) return done.error();
+    if (Result<void> done = sample(); !done) return done.error();
+    if (Result<void> done = place(); !done) return done.error();
+    m_design.atlas = m_draft.atlas();
+    m_design.network = std::move(m_draft.network);
+    m_design.extrema = std::move(m_draft.extrema);
+    return std::move(m_design);
+  }
+
+private:
+  int number_of_charts() const { return int(m_draft.atlas().charts.size()); }
+  const Design_chart* old_chart(int c) const {
+    return m_draft.origin(c) >= 0 ? m_before.charts[m_draft.origin(c)].get() : nullptr;
+  }
+  bool cancelled() const { return m_draft.observer() && m_draft.observer()->cancelled(); }
+
+  // Settings of the charts that stay; the others begin afresh.
+  void take_over() {
+    m_design.next_chart = m_before.next_chart;
+    m_design.target_quads = m_draft.target_quads;
+    m_design.edge_length = m_draft.edge_length;
+    m_ids.resize(number_of_charts());
+    m_settings.resize(number_of_charts());
+    for (int c = 0; c < number_of_charts(); ++c) {
+      const Design_chart* old = old_chart(c);
+      m_ids[c] = old ? old->id : m_design.next_chart++;
+      if (old) m_settings[c] = m_draft.settings.at(old->id);
+      m_predecessors.push_back(old ? nullptr : predecessor(m_draft, c));
+      if (!m_predecessors.back()) continue;
+      for (const Walk& walk : m_draft.chart(c).walks)
+        for (const Walk_edge& e : walk.edges)
+          if (const auto replaced = m_draft.replaced.find(e.edge); replaced != m_draft.replaced.end())
+            m_kept_counts[e.edge] = m_before.samples.counts[replaced->second];
+    }
+  }
+
+  Result<void> keep_locked() const {
+    std::vector<char> stays(m_before.charts.size(), 0);
+    for (int c = 0; c < number_of_charts(); ++c)
+      if (m_draft.origin(c) >= 0) stays[m_draft.origin(c)] = 1;
+    for (std::size_t i = 0; i < stays.size(); ++i)
+      if (!stays[i] && m_before.charts[i]->settings.locked)
+        return refuse("the edit would change a locked chart", {}, Element_kind::chart,
+                      m_before.charts[i]->id);
+    return {};
+  }
+
+  template <class Work> Result<void> for_each(const std::vector<int>& charts, const Work& work) {
+    std::vector<int> order = charts; // the largest first, so that two threads end together
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      const int fa = m_draft.chart(a).mesh.number_of_faces(), fb = m_draft.chart(b).mesh.number_of_faces();
+      return fa != fb ? fa > fb : a < b;
+    });
+    std::vector<Result<void>> done(order.size());
+    internal::parallel_for(int(order.size()), m_threads, [&](int i) {
+      if (cancelled())
+        done[i] = make_error(Error_code::cancelled, "cancelled by the user");
+      else
+        done[i] = work(order[i]);
+    });
+    for (Result<void>& result : done)
+      if (!result) return result;
+    return {};
+  }
+
+  Result<void> prepare_maps() {
+    std::vector<int> missing;
+    for (int c = 0; c < number_of_charts(); ++c)
+      if (!m_draft.has_map(c)) missing.push_back(c);
+    return for_each(missing, [&](int c) -> Result<void> {
+      if (Result<std::shared_ptr<const Chart_parameterization>> map = m_draft.map(c); !map)
+        return map.error();
+      return {};
+    });
+  }
+
+  const Chart_parameterization& map(int c) { return **m_draft.map(c); }
+
+  // Counts stay where nothing demands a change; contour edges that stay keep their parameter.
+  Result<void> sample() {
+    const std::vector<Point> points = network_points(m_draft.surface(), m_draft.network);
+    std::vector<const Chart_parameterization*> maps;
+    m_heights.assign(number_of_charts(), 0);
+    for (int c = 0; c < number_of_charts(); ++c) {
+      maps.push_back(&map(c));
+      if (m_draft.chart(c).kind == Chart_kind::annulus) m_heights[c] = maps[c]->profile().total();
+    }
+    m_design.samples.parameter =
+        contour_parameters(points, m_draft.network, m_draft.atlas(), maps, m_draft.options().sample_blend,
+                           m_before.samples.parameter);
+    Layout_sampling_problem layout = sampling_problem(points, m_draft.network, m_draft.atlas(), m_heights);
+    Sampling_options options;
+    add_wishes(layout, options);
+    const double h = m_draft.edge_length;
+    Result<Sampling> sampling = m_draft.resample && m_draft.target_quads > 0
+                                    ? sample_for_quads(layout.problem, m_draft.target_quads)
+                                    : sample_layout(layout.problem, h, options);
+    if (!sampling) return sampling.error();
+    if (Result<void> few = check_number(*sampling); !few) return few.error();
+    m_design.edge_length = sampling->edge_length;
+    m_design.samples.counts.assign(m_draft.network.edges.size(), 0);
+    for (std::size_t i = 0; i < layout.edges.size(); ++i)
+      m_design.samples.counts[layout.edges[i]] = sampling->counts[i];
+    m_grid = sampling->grid;
+    return {};
+  }
+
+  // Layouts in which one count forces others may need many more quads than the edge length asks for.
+  Result<void> check_number(const Sampling& sampling) const {
+    constexpr double few = 1e4;
+    if (double(sampling.quads) <= few) return {};
+    const double expected = area(m_draft.surface()) / (sampling.edge_length * sampling.edge_length);
+    if (double(sampling.quads) <= few + 30 * expected) return {};
+    return refuse("the counts would need too many quads", std::to_string(sampling.quads));
+  }
+
+  void add_wishes(Layout_sampling_problem& layout, Sampling_options& options) const {
+    if (!m_draft.resample) {
+      options.previous_edge_length = m_draft.edge_length;
+      for (int e : layout.edges) {
+        const bool known = e < int(m_before.samples.counts.size());
+        const auto replaced = m_kept_counts.find(e);
+        options.previous_counts.push_back(known                             ? m_before.samples.counts[e]
+                                          : replaced != m_kept_counts.end() ? replaced->second
+                                                                            : 0);
+      }
+      for (int c = 0; c < number_of_charts(); ++c)
+        options.previous_rows.push_back(old_chart(c) ? old_chart(c)->grid[1] : 0);
+    }
+    std::vector<int> index(m_draft.network.edges.size(), -1);
+    for (std::size_t i = 0; i < layout.edges.size(); ++i) index[layout.edges[i]] = int(i);
+    for (int c = 0; c < number_of_charts(); ++c) {
+      Sampling_chart& chart = layout.problem.charts[c];
+      if (chart.kind == Sampling_chart::Kind::annulus) {
+        chart.locked_rows = m_settings[c].rows;
+        chart.locked_columns = m_settings[c].columns;
+      }
+      if (!m_settings[c].locked || !old_chart(c)) continue;
+      chart.locked_columns = 0;
+      if (chart.kind == Sampling_chart::Kind::annulus) chart.locked_rows = old_chart(c)->grid[1];
+      for (const Walk& walk : m_draft.chart(c).walks)
+        for (const Walk_edge& e : walk.edges)
+          layout.problem.edges[index[e.edge]].locked = m_before.samples.counts[e.edge];
+    }
+  }
+
+  bool same_counts(int c) const {
+    for (const Walk& walk : m_draft.chart(c).walks)
+      for (const Walk_edge& e : walk.edges)
+        if (m_before.samples.counts[e.edge] != m_design.samples.counts[e.edge]) return false;
+    return true;
+  }
+
+  Result<void> place() {
+    m_design.charts.resize(number_of_charts());
+    std::vector<int> changed;
+    for (int c = 0; c < number_of_charts(); ++c) {
+      const Design_chart* old = old_chart(c);
+      const bool kept = old && !m_draft.reset_textures.count(old->id);
+      if (kept && old->settings == m_settings[c] && old->grid == m_grid[c] && same_counts(c))
+        m_design.charts[c] = m_before.charts[m_draft.origin(c)];
+      else if (kept && old->edited)
+        keep_texture(c);
+      else
+        changed.push_back(c);
+    }
+    return for_each(changed, [&](int c) { return fill(c); });
+  }
+
+  // The user's texture stays in its place, whatever the counts around it are now.
+  void keep_texture(int c) {
+    auto made = std::make_shared<Design_chart>(*old_chart(c));
+    made->texture = with_counts(made->texture, *made->chart, m_before.samples, m_design.samples);
+    made->grid = m_grid[c];
+    made->settings = m_settings[c];
+    m_design.charts[c] = std::move(made);
+  }
+
+  Texture_maker disc_maker(const Chart& chart) const {
+    Texture_maker maker;
+    for (const Design_extremum& e : m_draft.extrema)
+      if (chart.extremum >= 0 && chart.vertex_origin[chart.extremum] == e.vertex &&
+          e.pole == Pole_kind::whole)
+        maker.disc = pole_texture;
+    return maker;
+  }
+
+  Result<void> fill(int c) {
+    const Chart& chart = m_draft.chart(c);
+    auto made = std::make_shared<Design_chart>();
+    made->id = m_ids[c];
+    made->chart = m_draft.atlas().charts[c];
+    made->grid = m_grid[c];
+    made->height = m_heights[c];
+    made->settings = m_settings[c];
+    if (m_predecessors[c] && inherit_texture(m_draft, *m_predecessors[c], m_design.samples, map(c), *made)) {
+      m_design.charts[c] = std::move(made);
+      return {};
+    }
+    Chart_parameterization solved = map(c);
+    Texture_placement placement = m_settings[c].placement();
+    std::array<int, 2> grid = m_grid[c];
+    const std::vector<int> corners = rectangle_corners(m_draft.network, chart);
+    if (!corners.empty()) {
+      placement.corner = 0;
+      for (int i = 0; i < corners[0]; ++i)
+        placement.corner += m_design.samples.counts[chart.walks[0].edges[i].edge];
+      if (chart.walks[0].side == Side::high) std::swap(grid[0], grid[1]);
+    }
+    Result<Placed_texture> placed =
+        chart.kind == Chart_kind::annulus
+            ? place_annulus(chart, m_design.samples, grid[1], solved, {}, placement)
+            : place_disc(chart, m_design.samples, grid[0], grid[1], solved, disc_maker(chart), placement);
+    if (!placed) return placed.error();
+    made->texture = std::move(*placed);
+    made->map = std::make_shared<const Chart_parameterization>(std::move(solved));
+    m_design.charts[c] = std::move(made);
+    return {};
+  }
+
+  Draft& m_draft;
+  const Design& m_before;
+  Design m_design;
+  int m_threads = 1;
+  std::vector<int> m_ids;
+  std::vector<Chart_settings> m_settings;
+  std::vector<double> m_heights;
+  std::vector<std::array<int, 2>> m_grid;
+  std::vector<const Design_chart*> m_predecessors; ///< per chart, whose edited texture it takes over, or null
+  std::map<int, int> m_kept_counts;                ///< of contour edges that took the place of others
+};
+
+} // namespace
+
+Result<Design> complete_design(Draft& draft) {
+  return Completion(draft).run();
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

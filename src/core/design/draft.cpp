@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "design/draft.h"
+
+#include "base/segments.h"
+
+#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+Surface_solver::Surface_solver(const Triangle_surface& surface, int threads)
+    : m_surface(surface), m_field(surface) {
+  m_field.set_incremental(true);
+  m_field.set_threads(threads);
+}
+
+Result<void> Surface_solver::solve(Designed_field& field) {
+  Result<void> solved = solve_field(m_surface, m_field, field);
+  if (m_order.empty()) {
+    m_order = m_field.elimination_order();
+    m_places = places_in(m_order);
+  }
+  return solved;
+}
+
+Draft::Draft(const Triangle_surface& surface, const Surface_projector& projector, Surface_solver& solver,
+             const Design& design, const Editor_options& options, Observer* observer)
+    : network(design.network), extrema(design.extrema), target_quads(design.target_quads),
+      edge_length(design.edge_length), m_surface(surface), m_projector(projector), m_solver(solver),
+      m_before(design), m_options(options), m_observer(observer), m_atlas(design.atlas) {
+  remember_contours();
+  for (std::size_t c = 0; c < design.charts.size(); ++c) {
+    settings[design.charts[c]->id] = design.charts[c]->settings;
+    m_maps.push_back(design.charts[c]->map);
+    m_origin.push_back(int(c));
+  }
+}
+
+void Draft::remember_contours() {
+  m_was_cut.clear();
+  for (const Contour_edge& e : network.edges) m_was_cut.push_back(!network.is_removed(e));
+}
+
+std::vector<int> Draft::extremal_vertices() const {
+  std::vector<int> vertices;
+  for (const Design_extremum& e : extrema)
+    if (e.segment < 0) vertices.push_back(e.vertex);
+  return vertices;
+}
+
+// The charts beside contours that are gone, and those that new contours go through.
+std::vector<int> Draft::changed_charts() const {
+  std::vector<char> changed(m_atlas.charts.size(), 0), crossed(m_surface.number_of_faces(), 0);
+  const auto cross = [&](int h) {
+    crossed[h / 3] = 1;
+    if (m_surface.opposite[h] >= 0) crossed[m_surface.opposite[h] / 3] = 1;
+  };
+  bool any = false;
+  for (std::size_t e = 0; e < network.edges.size(); ++e) {
+    const bool was = e < m_was_cut.size() && m_was_cut[e], is = !network.is_removed(network.edges[e]);
+    if (was && !is)
+      for (int c : m_atlas.charts_of_edge[e])
+        if (c >= 0) changed[c] = 1;
+    if (was || !is) continue;
+    any = true;
+    for (int f : network.edges[e].faces)
+      if (f >= 0) crossed[f] = 1;
+    for (int v : network.edges[e].vertices) {
+      if (network.is_crossing(v)) {
+        cross(network.crossing(v).halfedge);
+        continue;
+      }
+      const int first = m_surface.outgoing[v];
+      int h = first;
+      do {
+        cross(h);
+        h = m_surface.rotate_ccw(h);
+      } while (h >= 0 && h != first);
+    }
+  }
+  std::vector<int> list;
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    const std::vector<int>& faces = m_atlas.charts[c]->face_origin;
+    if (changed[c] || (any && std::any_of(faces.begin(), faces.end(), [&](int f) { return crossed[f]; })))
+      list.push_back(int(c));
+  }
+  return list;
+}
+
+Result<void> Draft::cut() {
+  std::vector<int> reused;
+  Result<Atlas> atlas =
+      update_atlas(m_surface, network, extremal_vertices(), m_atlas, changed_charts(), &reused);
+  if (!atlas && atlas.error().element == Element_kind::face)
+    return refuse("the contour would touch another contour", {}, Element_kind::face,
+                  int(atlas.error().index));
+  if (!atlas)
+    return refuse("the regions between the contours would not all be charts", atlas.error().message);
+  std::vector<std::shared_ptr<const Chart_parameterization>> maps(reused.size());
+  std::vector<int> origin(reused.size(), -1);
+  for (std::size_t c = 0; c < reused.size(); ++c)
+    if (reused[c] >= 0) {
+      maps[c] = m_maps[reused[c]];
+      origin[c] = m_origin[reused[c]];
+    }
+  m_maps = std::move(maps);
+  m_origin = std::move(origin);
+  m_atlas = std::move(*atlas);
+  remember_contours();
+  return {};
+}
+
+void Draft::take(Draft&& other) {
+  network = std::move(other.network);
+  extrema = std::move(other.extrema);
+  settings = std::move(other.settings);
+  target_quads = other.target_quads;
+  edge_length = other.edge_length;
+  resample = other.resample;
+  reset_textures = std::move(other.reset_textures);
+  replaced = std::move(other.replaced);
+  m_atlas = std::move(other.m_atlas);
+  m_was_cut = std::move(other.m_was_cut);
+  m_maps = std::move(other.m_maps);
+  m_origin = std::move(other.m_origin);
+}
+
+void Draft::adopt(Reeb_layout layout) {
+  network = std::move(layout.network);
+  m_atlas = std::move(layout.atlas);
+  m_atlas.chart_of_face.clear();
+  remember_contours();
+  m_maps.assign(m_atlas.charts.size(), nullptr);
+  m_origin.assign(m_atlas.charts.size(), -1);
+  settings.clear();
+  resample = true;
+}
+
+Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
+  if (!m_maps[c]) {
+    Result<Chart_parameterization> map = Chart_parameterization::prepare(
+        chart(c), clamped_cotangent_weights(chart(c).mesh), order_of(chart(c)));
+    if (!map) return map.error();
+    m_maps[c] = std::make_shared<const Chart_parameterization>(std::move(*map));
+  }
+  return m_maps[c];
+}
+
+Result<Chart_parameterization> Draft::naturally_solved_map(int c) {
+  Result<std::shared_ptr<const Chart_parameterization>> prepared = map(c);
+  if (!prepared) return prepared.error();
+  Chart_parameterization copy = **prepared;
+  if (Result<void> solved = copy.solve_columns(chart(c), copy.natural(Side::low), copy.natural(Side::high));
+      !solved)
+    return solved.error();
+  return copy;
+}
+
+int Draft::vertex_at(const Surface_point& at) const {
+  if (at.vertex >= 0 && at.vertex < m_surface.number_of_vertices() && m_surface.points[at.vertex] == at.point)
+    return at.vertex;
+  const int face = m_projector.closest(at.point).face;
+  const Triangle& t = m_surface.triangles[face];
+  return *std::min_element(t.begin(), t.end(), [&](int a, int b) {
+    const double da = (m_surface.points[a] - at.point).squaredNorm(),
+                 db = (m_surface.points[b] - at.point).squaredNorm();
+    return da != db ? da < db : a < b;
+  });
+}
+
+int Draft::chart_of_vertex(int vertex) const {
+  for (const Contour_edge& e : network.edges)
+    if (std::find(e.vertices.begin(), e.vertices.end(), vertex) != e.vertices.end()) return -1;
+  for (std::size_t c = 0; c < m_atlas.charts.size(); ++c) {
+    const std::vector<int>& origin = m_atlas.charts[c]->vertex_origin;
+    if (std::find(origin.begin(), origin.end(), vertex) != origin.end()) return int(c);
+  }
+  return -1;
+}
+
+namespace {
+
+// The barycentric coordinates of a point in the plane of a triangle; minus infinity if that has no area.
+std::array<double, 3> weights_in(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Point n = (b - a).cross(c - a);
+  const double area = n.squaredNorm(), nowhere = -std::numeric_limits<double>::infinity();
+  if (!(area > 0)) return {nowhere, nowhere, nowhere};
+  return {(b - p).cross(c - p).dot(n) / area, (c - p).cross(a - p).dot(n) / area,
+          (a - p).cross(b - p).dot(n) / area};
+}
+
+} // namespace
+
+int Draft::chart_at(const Surface_point& at) const {
+  if (m_atlas.charts.empty()) return -1;
+  if (at.vertex >= 0 && at.vertex < m_surface.number_of_vertices() && m_surface.points[at.vertex] == at.point)
+    if (const int c = chart_of_vertex(at.vertex); c >= 0) return c;
+  return chart_point_at(at.point).chart;
+}
+
+Chart_point Draft::chart_point_at(const Point& point, int only) const {
+  const Closest_point closest = m_projector.closest(point);
+  Chart_point best;
+  double inside = -std::numeric_limits<double>::infinity();
+  for (int c = only < 0 ? 0 : only; c < (only < 0 ? int(m_atlas.charts.size()) : only + 1); ++c) {
+    const Chart& chart = *m_atlas.charts[c];
+    for (std::size_t f = 0; f < chart.face_origin.size(); ++f) {
+      if (chart.face_origin[f] != closest.face) continue;
+      const Triangle& t = chart.mesh.triangles[f];
+      const std::array<double, 3> weights = weights_in(closest.point, chart.mesh.points[t[0]],
+                                                       chart.mesh.points[t[1]], chart.mesh.points[t[2]]);
+      const double least = *std::min_element(weights.begin(), weights.end());
+      if (best.chart >= 0 && !(least > inside)) continue;
+      inside = least;
+      best = {c, closest.point, {int(f), weights}};
+    }
+  }
+  return best;
+}
+
+int Draft::contour_at(const Point& point) const {
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < network.edges.size(); ++e) {
+    const std::vector<int>& v = network.edges[e].vertices;
+    for (std::size_t i = 1; i < v.size(); ++i) {
+      const double d = squared_distance_to_segment(point, position(v[i - 1]), position(v[i]));
+      if (d < least) {
+        least = d;
+        best = int(e);
+      }
+    }
+  }
+  return best;
+}
+
+int Draft::extremum_at(const Point& point) const {
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < extrema.size(); ++i)
+    if (const double d = (m_surface.points[extrema[i].vertex] - point).squaredNorm(); d < least) {
+      least = d;
+      best = int(i);
+    }
+  return best;
+}
+
+int Draft::saddle_at(const Point& point) const {
+  const std::vector<char> used = nodes_in_use(network);
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i] || network.nodes[i].kind != Node_kind::saddle) continue;
+    if (const double d = (position(network.nodes[i].vertex) - point).squaredNorm(); d < least) {
+      least = d;
+      best = int(i);
+    }
+  }
+  return best;
+}
+
+int Draft::vertex_of_contour_at(int edge, const Point& point) const {
+  const std::vector<int>& v = network.edges[edge].vertices;
+  int best = 0;
+  for (int i = 1; i < int(v.size()); ++i)
+    if ((position(v[i]) - point).squaredNorm() < (position(v[best]) - point).squaredNorm()) best = i;
+  return best;
+}
+
+std::vector<int> Draft::edges_at(int node) const {
+  std::vector<int> edges;
+  for (std::size_t e = 0; e < network.edges.size(); ++e) {
+    if (network.is_removed(network.edges[e])) continue;
+    if (network.edges[e].from == node) edges.push_back(int(e));
+    if (network.edges[e].to == node) edges.push_back(int(e));
+  }
+  return edges;
+}
+
+bool Draft::is_free_loop(int edge) const {
+  const Contour_edge& e = network.edges[edge];
+  return e.from == e.to && network.nodes[e.from].kind == Node_kind::regular && edges_at(e.from).size() == 2;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A design while an edit changes it.
+#ifndef REEBQUAD_DESIGN_DRAFT_H
+#define REEBQUAD_DESIGN_DRAFT_H
+
+#include "base/refusal.h"
+
+#include <CGAL/Reeb_quadrangulation/Design.h>
+#include <CGAL/Reeb_quadrangulation/Editor_options.h>
+#include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
+#include <CGAL/Reeb_quadrangulation/Observer.h>
+#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/stitch.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+/// The harmonic fields of a whole surface: the factorization and the order of elimination stay from edit to edit, which changes no
+/// bit of the results.
+class Surface_solver {
+public:
+  Surface_solver(const Triangle_surface& surface, int threads);
+  /// Fills in a field as `solve_field()` does.
+  Result<void> solve(Designed_field& field);
+  /// The vertices in the order of elimination of the first field, and their places in it; empty before that.
+  const std::vector<int>& order() const { return m_order; }
+  const std::vector<int>& places() const { return m_places; }
+
+private:
+  const Triangle_surface& m_surface;
+  Harmonic_field m_field;
+  std::vector<int> m_order, m_places;
+};
+
+/// A point as it lies in a chart; chart -1 if it does not.
+struct Chart_point {
+  int chart = -1;
+  Point point = Point::Zero();
+  Chart_location location;
+};
+
+/// A copy of a design's contours and settings that an edit works on, cut into charts whenever it asks. Thrown away if the edit is
+/// refused.
+class Draft {
+public:
+  Draft(const Triangle_surface& surface, const Surface_projector& projector, Surface_solver& solver,
+        const Design& design, const Editor_options& options, Observer* observer);
+
+  const Triangle_surface& surface() const { return m_surface; }
+  Surface_solver& solver() const { return m_solver; }
+  const Editor_options& options() const { return m_options; }
+  Observer* observer() const { return m_observer; }
+  const Design& before() const { return m_before; }
+
+  Contour_network network;
+  std::vector<Design_extremum> extrema;
+  std::map<int, Chart_settings> settings; ///< by identity, of the charts of the design before
+  int target_quads = 0;
+  double edge_length = 0;
+  bool resample = false;        ///< choose all counts anew for the target, not near the old ones
+  std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
+  std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
+
+  /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
+  Result<void> cut();
+  /// Becomes what another draft of the same design is.
+  void take(Draft&& other);
+  /// Takes over a layout of the whole surface: its charts have no settings, and their counts are chosen anew.
+  void adopt(Reeb_layout layout);
+  const Atlas& atlas() const { return m_atlas; }
+  const Chart& chart(int c) const { return *m_atlas.charts[c]; }
+  /// The index that a chart has in the design before, or -1.
+  int origin(int c) const { return m_origin[c]; }
+
+  /// The vertices of a chart as its systems eliminate them.
+  std::vector<int> order_of(const Chart& chart) const { return elimination_order(chart, m_solver.places()); }
+  /// The map of a chart, prepared.
+  Result<std::shared_ptr<const Chart_parameterization>> map(int c);
+  /// The map of an annulus, solved for its natural V.
+  Result<Chart_parameterization> naturally_solved_map(int c);
+  bool has_map(int c) const { return bool(m_maps[c]); }
+
+  /// \name Elements that points mean
+  /// @{
+  int vertex_at(const Surface_point& point) const;
+  int chart_at(const Surface_point& point) const;
+  /// The nearest point of the surface, in the chart that contains it, or in the one given.
+  Chart_point chart_point_at(const Point& point, int chart = -1) const;
+  int chart_of_vertex(int vertex) const;     ///< -1 on a contour
+  int contour_at(const Point& point) const;  ///< a contour edge, or -1
+  int extremum_at(const Point& point) const; ///< index into `extrema`, or -1
+  int saddle_at(const Point& point) const;   ///< a node, or -1
+  /// The number of the vertex of a contour edge that is nearest to a point.
+  int vertex_of_contour_at(int edge, const Point& point) const;
+  Point position(int network_vertex) const { return network.position(m_surface, network_vertex); }
+  /// @}
+
+  /// The contour edges at a node, with repetition for loops.
+  std::vector<int> edges_at(int node) const;
+  /// Whether an edge is a loop of its own, without saddles: a cap, a subdivision.
+  bool is_free_loop(int edge) const;
+  std::vector<int> extremal_vertices() const;
+
+private:
+  std::vector<int> changed_charts() const;
+  void remember_contours();
+  const Triangle_surface& m_surface;
+  const Surface_projector& m_projector;
+  Surface_solver& m_solver;
+  const Design& m_before;
+  const Editor_options& m_options;
+  Observer* m_observer;
+  Atlas m_atlas;
+  std::vector<std::shared_ptr<const Chart_parameterization>> m_maps;
+  std::vector<int> m_origin;
+  std::vector<char> m_was_cut; // per contour edge: whether the atlas knows it
+};
+
+bool has_edited_texture(const Design& design);
+
+/// The chart before whose contours chart `c` has, but for those that were replaced, and which has an edited texture; or null.
+const Design_chart* predecessor(const Draft& draft, int c);
+
+/// Gives a new chart the texture of its predecessor, in the same places of the domain and of the contours. `map` is prepared.
+Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const Contour_samples& samples,
+                             Chart_parameterization map, Design_chart& made);
+
+/// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads of locked charts are not split.
+Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surface_projector& projector,
+                                    const Design& design);
+
+/// Samples, maps and fills what the draft has new, and makes it a design. Fails like an edit.
+Result<Design> complete_design(Draft& draft);
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEBQUAD_DESIGN_DRAFT_H

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/Editor.h>
+
+#include "design/pole_texture.h"
+#include "edits/steps.h"
+
+#include "base/parallel_for.h"
+
+#include <CGAL/Reeb_quadrangulation/prepare_surface.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+// What became of charts, contours and counts between two designs.
+Edit_report differences(const Design& from, const Design& to) {
+  Edit_report report;
+  std::map<int, const Design_chart*> before, after;
+  for (const auto& chart : from.charts) before[chart->id] = chart.get();
+  for (const auto& chart : to.charts) after[chart->id] = chart.get();
+  for (const auto& [id, chart] : after) {
+    const auto found = before.find(id);
+    if (found == before.end())
+      report.new_charts.push_back(id);
+    else if (found->second != chart)
+      report.remeshed_charts.push_back(id);
+  }
+  for (const auto& [id, chart] : before) {
+    if (after.count(id)) continue;
+    report.removed_charts.push_back(id);
+    const int texture = chart->texture_id;
+    const auto has_it = [&](const auto& entry) { return entry.second->texture_id == texture; };
+    if (chart->edited && std::none_of(after.begin(), after.end(), has_it)) report.lost_textures.push_back(id);
+  }
+  const auto lives = [](const Design& d, std::size_t e) {
+    return e < d.network.edges.size() && !d.network.is_removed(d.network.edges[e]);
+  };
+  for (std::size_t e = 0; e < std::max(from.network.edges.size(), to.network.edges.size()); ++e) {
+    const bool was = lives(from, e), is = lives(to, e);
+    if (is && !was) report.new_contours.push_back(int(e));
+    if (was && !is) report.removed_contours.push_back(int(e));
+    if (is && was && from.samples.counts[e] != to.samples.counts[e]) report.changed_counts.push_back(int(e));
+  }
+  return report;
+}
+
+// A design after an edit of a draft.
+template <class Edit_kind> Result<Design> next_design(Draft& draft, const Edit_kind& edit) {
+  if (Result<void> done = apply_edit(draft, edit); !done) return done.error();
+  return complete_design(draft);
+}
+Result<Design> next_design(Draft& draft, const Edit_texture& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Drag_vertices& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Relax_texture& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Snap_vertices& edit) {
+  return with_texture(draft, edit);
+}
+Result<Design> next_design(Draft& draft, const Fit_texture& edit) {
+  return with_texture(draft, edit);
+}
+
+// A design, and its quads if they had to be stitched to see that they can be.
+struct Changed {
+  Design design;
+  std::optional<Stitched_mesh> quads;
+};
+
+bool has_whole_pole(const Design& design) {
+  return std::any_of(design.extrema.begin(), design.extrema.end(),
+                     [](const Design_extremum& e) { return e.pole == Pole_kind::whole; });
+}
+
+} // namespace
+
+struct Editor::Implementation {
+  Implementation(Triangle_surface surface, const Editor_options& editor_options)
+      : input(std::move(surface)), options(editor_options) {}
+
+  const Design& design() const { return *states[position]; }
+  Result<Changed> changed(const Edit& edit, Observer* observer) const {
+    if (design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
+        !std::holds_alternative<Set_extrema>(edit))
+      return refuse("the design is empty", "place extrema first");
+    Draft draft(working, *projector, *solver, design(), options, observer);
+    Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
+    if (!next) return next.error();
+    if (!has_edited_texture(*next) && !has_whole_pole(*next)) return Changed{std::move(*next), {}};
+    Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next);
+    if (!stitched) return stitched.error();
+    if (has_whole_pole(*next) && !has_all_fans(*next, *stitched))
+      return refuse("the ring around a whole pole is none that a fan could fill");
+    return Changed{std::move(*next), std::move(*stitched)};
+  }
+
+  Triangle_surface input, working;
+  Editor_options options;
+  std::unique_ptr<Surface_projector> projector; // of the working surface
+  std::unique_ptr<Surface_solver> solver;       // of the same
+  std::vector<std::shared_ptr<const Design>> states;
+  std::vector<Edit> edits; // edit i leads from state i to state i + 1
+  int position = 0;
+  std::shared_ptr<const Design> stitched_design; // whose quads the last edit had to stitch, or null
+  Stitched_mesh stitched_quads;
+};
+
+Editor::Editor(std::unique_ptr<Implementation> implementation)
+    : m_implementation(std::move(implementation)) {}
+Editor::~Editor() = default;
+Editor::Editor(Editor&&) noexcept = default;
+Editor& Editor::operator=(Editor&&) noexcept = default;
+
+Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& options, Observer* observer) {
+  if (surface.number_of_faces() == 0)
+    return make_error(Error_code::not_a_surface, "the surface has no faces");
+  if (connected_components(surface).second != 1)
+    return make_error(Error_code::not_a_surface, "the surface has several components: edit them one by one");
+  if (!(options.edge_length >= 0) || !std::isfinite(options.edge_length) ||
+      (options.edge_length == 0 && options.quads < 1))
+    return make_error(Error_code::impossible_request,
+                      "the number of quads or the edge length must be positive");
+  auto editor = std::make_unique<Implementation>(std::move(surface), options);
+  const double h =
+      options.edge_length > 0 ? options.edge_length : std::sqrt(area(editor->input) / options.quads);
+  if (options.prepare) {
+    Prepare_options prepare;
+    prepare.max_edge = h;
+    prepare.min_edge = 1e-3 * h;
+    Result<Prepared_surface> prepared = prepare_surface(editor->input, prepare, observer);
+    if (!prepared) return prepared.error();
+    editor->working = std::move(prepared->surface);
+  } else {
+    editor->working = editor->input;
+  }
+  editor->projector = std::make_unique<Surface_projector>(editor->working);
+  editor->solver =
+      std::make_unique<Surface_solver>(editor->working, internal::number_of_threads(options.threads));
+  Design first;
+  first.network.surface_vertices = editor->working.number_of_vertices();
+  first.target_quads = options.edge_length > 0 ? 0 : options.quads;
+  first.edge_length = h;
+  editor->states.push_back(std::make_shared<const Design>(std::move(first)));
+  return Editor(std::move(editor));
+}
+
+Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
+  Implementation& m = *m_implementation;
+  const auto begin = std::chrono::steady_clock::now();
+  Result<Changed> changed = m.changed(edit, observer);
+  if (!changed) return changed.error();
+  const auto state = std::make_shared<const Design>(std::move(changed->design));
+  Edit_report report = differences(m.design(), *state);
+  m.states.resize(m.position + 1);
+  m.edits.resize(m.position);
+  m.states.push_back(state);
+  m.edits.push_back(edit);
+  m.stitched_design = changed->quads ? state : nullptr;
+  m.stitched_quads = changed->quads ? std::move(*changed->quads) : Stitched_mesh();
+  ++m.position;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+Result<Design> Editor::preview(const Edit& edit, Observer* observer) const {
+  Result<Changed> changed = m_implementation->changed(edit, observer);
+  if (!changed) return changed.error();
+  return std::move(changed->design);
+}
+
+bool Editor::can_undo() const {
+  return m_implementation->position > 0;
+}
+
+bool Editor::can_redo() const {
+  return m_implementation->position + 1 < int(m_implementation->states.size());
+}
+
+Edit_report Editor::undo() {
+  CGAL_precondition(can_undo());
+  Implementation& m = *m_implementation;
+  --m.position;
+  return differences(*m.states[m.position + 1], *m.states[m.position]);
+}
+
+Edit_report Editor::redo() {
+  CGAL_precondition(can_redo());
+  Implementation& m = *m_implementation;
+  ++m.position;
+  return differences(*m.states[m.position - 1], *m.states[m.position]);
+}
+
+const std::vector<Edit>& Editor::edits() const {
+  return m_implementation->edits;
+}
+
+int Editor::position() const {
+  return m_implementation->position;
+}
+
+const Design& Editor::design() const {
+  return m_implementation->design();
+}
+
+const Triangle_surface& Editor::input() const {
+  return m_implementation->input;
+}
+
+const Triangle_surface& Editor::working_surface() const {
+  return m_implementation->working;
+}
+
+const Editor_options& Editor::options() const {
+  return m_implementation->options;
+}
+
+int Editor::chart_at(const Surface_point& point) const {
+  const Implementation& m = *m_implementation;
+  return Draft(m.working, *m.projector, *m.solver, m.design(), m.options, nullptr).chart_at(point);
+}
+
+Stitched_mesh Editor::quads() const {
+  const Design& d = design();
+  if (d.charts.empty()) return {};
+  if (m_implementation->stitched_design.get() == &d) return m_implementation->stitched_quads;
+  Result<Stitched_mesh> stitched = stitch_design(working_surface(), *m_implementation->projector, d);
+  CGAL_assertion(bool(stitched)); // else the edit would have been refused
+  return std::move(*stitched);
+}
+
+Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, const Snap_options& features,
+                                             Observer* observer) const {
+  Stitched_mesh stitched = quads();
+  if (stitched.mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
+  Result<Finished_quads> finished =
+      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer, stitched.held_vertices);
+  if (!finished) return finished.error();
+  stitched.mesh = std::move(finished->mesh);
+  return stitched;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

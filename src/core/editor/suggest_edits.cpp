@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/suggest_edits.h>
+
+#include "editor/hint_measures.h"
+
+#include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <tuple>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+const char* name(Hint_kind kind) {
+  switch (kind) {
+  case Hint_kind::uncovered_limb: return "uncovered_limb";
+  case Hint_kind::thin_chart: return "thin_chart";
+  case Hint_kind::sharp_edge: return "sharp_edge";
+  case Hint_kind::saddle: return "saddle";
+  }
+  return "";
+}
+
+namespace {
+
+std::string text(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g", std::abs(x) < 1e-12 ? 0.0 : x);
+  return buffer;
+}
+
+std::string text(const Point& p) {
+  return "(" + text(p.x()) + ", " + text(p.y()) + ", " + text(p.z()) + ")";
+}
+
+Result<void> check_options(const Hint_options& o) {
+  for (double length : {o.limb, o.thin, o.snap, o.room})
+    if (!(length >= 0) || !std::isfinite(length))
+      return make_error(Error_code::impossible_request, "the lengths that hints ask for are not negative");
+  if (!(o.feature_angle > 0 && o.feature_angle < 180))
+    return make_error(Error_code::impossible_request, "the feature angle is between 0 and 180 degrees");
+  return {};
+}
+
+// Where the surface protrudes: vertices. They depend on the surface alone.
+Result<std::vector<int>> tips_of(const Editor& editor, const Hint_options& options, Observer* observer) {
+  std::vector<int> tips;
+  if (!options.limbs || editor.design().charts.empty()) return tips;
+  Suggestion_options suggestion;
+  suggestion.persistence = options.persistence;
+  const Result<Suggestion> extrema = suggest_extrema(editor.working_surface(), suggestion, observer);
+  if (!extrema) return extrema.error();
+  for (const Suggested_extremum& e : extrema->extrema) tips.push_back(e.vertex);
+  return tips;
+}
+
+// A place where an edit may be worth while.
+struct Candidate {
+  Hint_kind kind;
+  double before;
+  Point place;
+  int element; // a vertex, chart, contour or node
+};
+
+class Hint_search {
+public:
+  Hint_search(const Editor& editor, const Hint_options& options, const std::vector<int>& tips,
+              Observer* observer)
+      : m_editor(editor), m_options(options), m_tips(tips), m_observer(observer),
+        m_surface(editor.working_surface()), m_design(editor.design()), m_h(editor.design().edge_length) {}
+
+  // At most `most` hints, or all of them.
+  Result<std::vector<Hint>> run(std::size_t most) {
+    find_limbs();
+    if (m_options.thin_charts) find_thin_charts();
+    if (m_options.sharp_edges) find_contours_beside_features();
+    if (m_options.saddles) find_saddles();
+    const auto key = [](const Candidate& c) {
+      return std::make_tuple(c.kind, -c.before, c.place.x(), c.place.y(), c.place.z(), c.element);
+    };
+    std::sort(m_candidates.begin(), m_candidates.end(),
+              [&](const Candidate& a, const Candidate& b) { return key(a) < key(b); });
+    std::vector<Hint> hints;
+    for (std::size_t i = 0; i < m_candidates.size() && hints.size() < most; ++i) {
+      if (m_observer) m_observer->progress("suggest edits", double(i) / double(m_candidates.size()));
+      std::optional<Hint> hint = tried(m_candidates[i]);
+      if (m_observer && m_observer->cancelled())
+        return make_error(Error_code::cancelled, "cancelled by the user");
+      if (hint) hints.push_back(std::move(*hint));
+    }
+    return hints;
+  }
+
+private:
+  Surface_point at(int vertex) const { return {m_surface.points[vertex], vertex}; }
+
+  void find_limbs() {
+    for (int tip : m_tips) {
+      const int chart = m_editor.chart_at(at(tip));
+      if (chart < 0) continue;
+      const double distance = distance_to_quads(m_surface.points[tip], {m_design.charts[chart].get()}) / m_h;
+      if (distance > m_options.limb)
+        m_candidates.push_back({Hint_kind::uncovered_limb, distance, m_surface.points[tip], tip});
+    }
+  }
+
+  // The vertex of the first saddle on a walk, or -1.
+  int saddle_on(const Walk& walk) const {
+    const Walk_edge& e = walk.edges[0];
+    const Contour_edge& edge = m_design.network.edges[e.edge];
+    const Contour_node& node = m_design.network.nodes[e.forward ? edge.from : edge.to];
+    return node.kind == Node_kind::saddle ? node.vertex : -1;
+  }
+
+  void find_thin_charts() {
+    for (std::size_t c = 0; c < m_design.charts.size(); ++c) {
+      const Design_chart& chart = *m_design.charts[c];
+      if (chart.chart->kind != Chart_kind::annulus || !(chart.height < m_options.thin * m_h)) continue;
+      const int saddle = saddle_on(chart.chart->walks[0]);
+      if (saddle < 0 || saddle_on(chart.chart->walks[1]) < 0) continue;
+      m_candidates.push_back(
+          {Hint_kind::thin_chart, mean_aspect({&chart}), m_surface.points[saddle], int(c)});
+    }
+  }
+
+  // All sharp edges, found when they are asked for.
+  const Segments& features() {
+    if (m_features) return *m_features;
+    m_features.emplace();
+    for (const Feature_chain& chain : feature_edges(m_surface, m_options.feature_angle).chains)
+      if (!chain.boundary)
+        for (int h : chain.halfedges)
+          m_features->push_back(
+              {m_surface.points[m_surface.source(h)], m_surface.points[m_surface.target(h)]});
+    return *m_features;
+  }
+
+  double distance_to_features(const Contour_network& network, int edge) {
+    return mean_distance(contour_points(m_surface, network, edge), features()) / m_h;
+  }
+
+  void find_contours_beside_features() {
+    const Contour_network& network = m_design.network;
+    if (features().empty()) return;
+    for (std::size_t e = 0; e < network.edges.size(); ++e) {
+      const Contour_edge& edge = network.edges[e];
+      if (network.is_removed(edge) || edge.from != edge.to ||
+          network.nodes[edge.from].kind != Node_kind::regular)
+        continue;
+      const double distance = distance_to_features(network, int(e));
+      if (distance <= m_options.snap && distance > 1e-6)
+        m_candidates.push_back(
+            {Hint_kind::sharp_edge, distance, network.position(m_surface, edge.vertices[0]), int(e)});
+    }
+  }
+
+  void find_saddles() {
+    const std::vector<char> is_used = nodes_in_use(m_design.network);
+    for (std::size_t i = 0; i < is_used.size(); ++i) {
+      const Contour_node& node = m_design.network.nodes[i];
+      if (is_used[i] && node.kind == Node_kind::saddle && node.multiplicity == 1)
+        m_candidates.push_back({Hint_kind::saddle, 4, m_surface.points[node.vertex], node.vertex});
+    }
+  }
+
+  std::optional<Hint> tried(const Candidate& c) {
+    switch (c.kind) {
+    case Hint_kind::uncovered_limb: return try_limb(c);
+    case Hint_kind::thin_chart: return try_thin_chart(c);
+    case Hint_kind::sharp_edge: return try_sharp_edge(c);
+    case Hint_kind::saddle: return try_saddle(c);
+    }
+    return std::nullopt;
+  }
+
+  // What an edit leads to, if it applies and costs no texture that the user has made.
+  std::optional<Design> preview(const Edit& edit) const {
+    Result<Design> design = m_editor.preview(edit, m_observer);
+    if (!design) return std::nullopt;
+    for (const auto& chart : m_design.charts)
+      if (chart->edited && design->index_of(chart->id) < 0) return std::nullopt;
+    return std::move(*design);
+  }
+
+  static Hint hint(const Candidate& c, Edit edit, double after, std::string reason) {
+    return {c.kind, std::move(edit), c.place, std::move(reason), c.before, after};
+  }
+
+  // Distances, in edge lengths: whether one is so much less than the other that it is worth an edit.
+  static bool is_nearer(double after, double before) { return after <= before - 0.5 || after < 0.1 * before; }
+
+  std::optional<Hint> try_limb(const Candidate& c) {
+    std::optional<Hint> best;
+    for (bool is_maximum : {true, false}) {
+      const Edit edit = Add_extremum{at(c.element), is_maximum};
+      const std::optional<Design> design = preview(edit);
+      if (!design) continue;
+      const double after = distance_to_quads(c.place, charts_not_in(*design, m_design)) / m_h;
+      if (!is_nearer(after, c.before) || (best && !(after < best->after))) continue;
+      best = hint(c, edit, after,
+                  "the protrusion at " + text(c.place) + " has no extremum: its tip is " + text(c.before) +
+                      " edge lengths away from the quads; with a " + (is_maximum ? "maximum" : "minimum") +
+                      " there, " + text(after));
+    }
+    return best;
+  }
+
+  std::optional<Hint> try_thin_chart(const Candidate& c) {
+    const Design_chart& chart = *m_design.charts[c.element];
+    const Edit edit =
+        Align_saddles{at(saddle_on(chart.chart->walks[0])), at(saddle_on(chart.chart->walks[1]))};
+    const std::optional<Design> design = preview(edit);
+    if (!design || design->index_of(chart.id) >= 0) return std::nullopt;
+    const double after = mean_aspect(charts_not_in(*design, m_design));
+    if (!(after < c.before)) return std::nullopt;
+    return hint(c, edit, after,
+                "the chart at the saddle " + text(c.place) + " is " + text(chart.height / m_h) +
+                    " edge lengths high: its quads are " + text(c.before) +
+                    " times as long as wide; those around the saddles on one contour would be " +
+                    text(after) + " times");
+  }
+
+  std::optional<Hint> try_sharp_edge(const Candidate& c) {
+    const Edit edit = Snap_contour{{c.place, -1}, m_options.feature_angle};
+    const std::optional<Design> design = preview(edit);
+    if (!design) return std::nullopt;
+    const int fresh = int(design->network.edges.size()) - 1;
+    const std::vector<Point> old = contour_points(m_surface, m_design.network, c.element);
+    const double moved =
+        mean_distance(old, segments_of(contour_points(m_surface, design->network, fresh))) / m_h;
+    const double after = distance_to_features(design->network, fresh);
+    // Not onto another chain, farther away.
+    if (moved > 2 * m_options.snap || !is_nearer(after, c.before)) return std::nullopt;
+    return hint(c, edit, after,
+                "the contour at " + text(c.place) + " is " + text(c.before) +
+                    " edge lengths away from sharp edges of more than " + text(m_options.feature_angle) +
+                    " degrees; snapped to them, " + text(after));
+  }
+
+  bool leaves_room(const std::vector<const Design_chart*>& charts) const {
+    return std::none_of(charts.begin(), charts.end(), [&](const Design_chart* chart) {
+      return chart->chart->kind == Chart_kind::annulus && chart->height < m_options.room * m_h;
+    });
+  }
+
+  std::optional<Hint> try_saddle(const Candidate& c) {
+    std::optional<Hint> best;
+    double most = 0;
+    for (Saddle_kind kind : {Saddle_kind::half, Saddle_kind::quarter}) {
+      const Edit edit = Split_saddle{at(c.element), kind, {}, 0};
+      const std::optional<Design> design = preview(edit);
+      if (!design) continue;
+      const std::vector<const Design_chart*> gone = charts_not_in(m_design, *design),
+                                             fresh = charts_not_in(*design, m_design);
+      const double before = mean_scaled_jacobian(gone), after = mean_scaled_jacobian(fresh);
+      if (after < before + 1e-3 || !(after > most) || !leaves_room(fresh)) continue;
+      most = after;
+      const bool halves = kind == Saddle_kind::half;
+      best = hint(c, edit, halves ? 2 : 1,
+                  "the saddle at " + text(c.place) + " has valence 8, and there is room for " +
+                      (halves ? "two half-saddles of valence 6" : "four quarter-saddles of valence 5") +
+                      ": the mean scaled Jacobian of the quads around grows from " + text(before) + " to " +
+                      text(after));
+    }
+    return best;
+  }
+
+  const Editor& m_editor;
+  const Hint_options& m_options;
+  const std::vector<int>& m_tips;
+  Observer* m_observer;
+  const Triangle_surface& m_surface;
+  const Design& m_design;
+  double m_h;
+  std::vector<Candidate> m_candidates;
+  std::optional<Segments> m_features;
+};
+
+} // namespace
+
+Result<std::vector<Hint>> suggest_edits(const Editor& editor, const Hint_options& options,
+                                        Observer* observer) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  const Result<std::vector<int>> tips = tips_of(editor, options, observer);
+  if (!tips) return tips.error();
+  return Hint_search(editor, options, *tips, observer).run(std::size_t(-1));
+}
+
+Result<std::vector<Hint>> apply_hints(Editor& editor, const Hint_options& options, Observer* observer) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  const Result<std::vector<int>> tips = tips_of(editor, options, observer);
+  if (!tips) return tips.error();
+  std::vector<Hint> taken;
+  for (;;) {
+    Result<std::vector<Hint>> hints = Hint_search(editor, options, *tips, observer).run(1);
+    if (!hints) return hints.error();
+    if (hints->empty()) return taken;
+    if (const Result<Edit_report> done = editor.apply(hints->front().edit, observer); !done)
+      return done.error();
+    taken.push_back(std::move(hints->front()));
+  }
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

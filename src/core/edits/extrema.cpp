@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "atlas/chart_lines.h"
+#include "edits/steps.h"
+
+#include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
+#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+std::vector<int> vertices_of(const std::vector<Design_extremum>& extrema, bool maxima) {
+  std::vector<int> vertices;
+  for (const Design_extremum& e : extrema)
+    if (e.is_maximum == maxima) vertices.push_back(e.vertex);
+  return vertices;
+}
+
+bool is_boundary_vertex(const Triangle_surface& s, int v) {
+  return s.is_boundary(s.outgoing[v]);
+}
+
+// Solves the field on the whole surface and cuts it along its own contours.
+Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
+                            const std::vector<bool>& boundary_is_maximum) {
+  const Triangle_surface& s = draft.surface();
+  sort_by_vertex(extrema);
+  for (std::size_t i = 0; i < extrema.size(); ++i) {
+    extrema[i].pole = Pole_kind::quarter;
+    extrema[i].segment = -1;
+    if (i > 0 && extrema[i].vertex == extrema[i - 1].vertex)
+      return refuse("two extrema at one vertex", {}, Element_kind::vertex, extrema[i].vertex);
+    if (is_boundary_vertex(s, extrema[i].vertex))
+      return refuse("an extremum on the boundary", {}, Element_kind::vertex, extrema[i].vertex);
+  }
+  Designed_field field{{}, vertices_of(extrema, false), vertices_of(extrema, true), boundary_is_maximum};
+  for (const Design_extremum& e : extrema) field.extremal_values[e.vertex] = e.value;
+  if (Result<void> solved = draft.solver().solve(field); !solved)
+    return refuse("the field cannot be solved", solved.error().message);
+  Result<Reeb_layout> layout = layout_of(draft, field);
+  if (!layout) return layout.error();
+  draft.adopt(std::move(*layout));
+  draft.extrema = std::move(extrema);
+  return {};
+}
+
+// Whether the boundary loops are maxima: as they are now, else as it is suggested.
+Result<std::vector<bool>> boundary_kinds(Draft& draft) {
+  const std::vector<std::vector<int>> loops = boundary_loops(draft.surface());
+  if (loops.empty()) return std::vector<bool>();
+  std::map<int, bool>
+      is_maximum; // of boundary vertices that contours know; a maximum has its chart on the right
+  for (std::size_t e = 0; e < draft.atlas().charts_of_edge.size(); ++e) {
+    const std::array<int, 2> sides = draft.atlas().charts_of_edge[e];
+    const Contour_edge& edge = draft.network.edges[e];
+    if (!draft.network.is_removed(edge) && (sides[0] < 0 || sides[1] < 0))
+      for (int v : edge.vertices) is_maximum[v] = sides[0] < 0;
+  }
+  if (!is_maximum.empty()) {
+    std::vector<bool> kinds;
+    for (const std::vector<int>& loop : loops)
+      kinds.push_back(is_maximum.at(draft.surface().source(loop[0])));
+    return kinds;
+  }
+  Result<Suggestion> suggestion = suggest_extrema(draft.surface(), {}, draft.observer());
+  if (!suggestion) return suggestion.error();
+  return suggestion->boundary_is_maximum;
+}
+
+Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema) {
+  Result<std::vector<bool>> kinds = boundary_kinds(draft);
+  if (!kinds) return kinds.error();
+  return design_surface(draft, std::move(extrema), *kinds);
+}
+
+} // namespace
+
+void sort_by_vertex(std::vector<Design_extremum>& extrema) {
+  std::sort(extrema.begin(), extrema.end(),
+            [](const Design_extremum& a, const Design_extremum& b) { return a.vertex < b.vertex; });
+}
+
+Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field) {
+  Result<Reeb_layout> layout = make_layout(draft.surface(), field, int(draft.network.edges.size()));
+  if (!layout) return refuse("the field has no layout", layout.error().message);
+  if (!layout->lost_extrema.empty())
+    return refuse("the field does not have an extremum there", {}, Element_kind::vertex,
+                  layout->lost_extrema[0]);
+  return layout;
+}
+
+Result<void> apply_edit(Draft& draft, const Suggest& edit) {
+  Suggestion_options options;
+  options.persistence = edit.persistence;
+  options.axis = edit.axis;
+  Result<Suggestion> suggestion = suggest_extrema(draft.surface(), options, draft.observer());
+  if (!suggestion) return suggestion.error();
+  std::vector<Design_extremum> extrema;
+  for (const Suggested_extremum& e : suggestion->extrema)
+    extrema.push_back({e.vertex, e.is_maximum, e.is_maximum ? 1.0 : 0.0});
+  return design_surface(draft, std::move(extrema), suggestion->boundary_is_maximum);
+}
+
+Result<void> apply_edit(Draft& draft, const Set_extrema& edit) {
+  std::vector<Design_extremum> extrema;
+  for (const Set_extrema::Extremum& e : edit.extrema) {
+    if (e.value > 1) return make_error(Error_code::impossible_request, "values of extrema are at most 1");
+    extrema.push_back({draft.vertex_at(e.at), e.is_maximum,
+                       e.value >= 0   ? e.value
+                       : e.is_maximum ? 1.0
+                                      : 0.0});
+  }
+  return design_surface(draft, std::move(extrema));
+}
+
+Result<void> apply_edit(Draft& draft, const Change_value& edit) {
+  const int i = draft.extremum_at(edit.at.point);
+  if (i < 0) return refuse("there is no extremum");
+  if (!(edit.value >= 0 && edit.value <= 1))
+    return make_error(Error_code::impossible_request, "the value of an extremum is between 0 and 1");
+  std::vector<Design_extremum> extrema = draft.extrema;
+  extrema[i].value = edit.value;
+  return design_surface(draft, std::move(extrema));
+}
+
+namespace {
+
+// The region between contours as a surface of its own, and the field on it.
+struct Region {
+  Chart chart;
+  std::vector<Design_extremum> extrema; // local vertices
+  Designed_field field;
+};
+
+double value_of(const Contour_network& network, const Walk& walk) {
+  return network.edges[walk.edges[0].edge].value;
+}
+
+// The system of the region with its walks and extrema fixed.
+Result<Dirichlet_problem> region_problem(const Draft& draft, const Region& region) {
+  const Triangle_surface& mesh = region.chart.mesh;
+  std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
+  for (const Walk& walk : region.chart.walks)
+    for (int v : walk.vertices) is_fixed[v] = 1;
+  for (const Design_extremum& e : region.extrema) is_fixed[e.vertex] = 1;
+  return Dirichlet_problem::factorize(mesh, clamped_cotangent_weights(mesh), is_fixed,
+                                      draft.order_of(region.chart));
+}
+
+// The field with the contours' and the extrema's values.
+Result<std::vector<double>> region_field(const Draft& draft, const Region& region,
+                                         const Dirichlet_problem& problem) {
+  std::vector<double> values(region.chart.mesh.number_of_vertices(), 0.0);
+  for (const Walk& walk : region.chart.walks)
+    for (int v : walk.vertices) values[v] = value_of(draft.network, walk);
+  for (const Design_extremum& e : region.extrema) values[e.vertex] = e.value;
+  if (Result<void> solved = problem.solve(region.chart.mesh, values); !solved) return solved.error();
+  return values;
+}
+
+// What the field lacks at a vertex to be harmonic there.
+double flux_at(const Triangle_surface& mesh, const Edge_weights& weights, const std::vector<double>& values,
+               int v) {
+  double flux = 0;
+  const int first = mesh.outgoing[v];
+  int h = first;
+  do {
+    flux += weights.of_halfedge[h] * (values[v] - values[mesh.target(h)]);
+    h = mesh.rotate_ccw(h);
+  } while (h != first);
+  return flux;
+}
+
+// How far the field may be lifted at a vertex until a neighbour of a walk or of an extremum reaches its value (METHOD: q_max).
+double largest_lift(const Draft& draft, const Region& region, const std::vector<double>& u,
+                    const std::vector<double>& green, double sign) {
+  const Triangle_surface& mesh = region.chart.mesh;
+  double largest = std::numeric_limits<double>::infinity();
+  const auto bound = [&](int v, double value, bool is_maximum) {
+    if (is_maximum != (sign > 0)) return; // the lift only makes this one more pronounced
+    const int first = mesh.outgoing[v];
+    int h = first;
+    do {
+      const int w = mesh.target(h);
+      if (green[w] > 0) largest = std::min(largest, std::abs(value - u[w]) / green[w]);
+      h = mesh.rotate_ccw(h);
+    } while (h >= 0 && h != first);
+  };
+  for (const Walk& walk : region.chart.walks)
+    for (int v : walk.vertices) bound(v, value_of(draft.network, walk), walk.side == Side::high);
+  for (const Design_extremum& e : region.extrema) bound(e.vertex, e.value, e.is_maximum);
+  return largest;
+}
+
+// Sets the value of a new extremum, and with it the field.
+Result<void> lift(Draft& draft, Region& region, int added, double strength) {
+  const Triangle_surface& mesh = region.chart.mesh;
+  const auto extremum = std::find_if(region.extrema.begin(), region.extrema.end(),
+                                     [&](const Design_extremum& e) { return e.vertex == added; });
+  Result<Dirichlet_problem> problem = region_problem(draft, region);
+  if (!problem) return refuse("the field cannot be solved", problem.error().message);
+  // The response to 1 at the new extremum, and the field as it is without it: with the multiple of the response that leaves no flux.
+  std::vector<double> green(mesh.number_of_vertices(), 0.0);
+  green[added] = 1;
+  if (Result<void> solved = problem->solve(mesh, green); !solved) return solved;
+  extremum->value = 0;
+  Result<std::vector<double>> u = region_field(draft, region, *problem);
+  if (!u) return u.error();
+  const double level =
+      -flux_at(mesh, problem->weights(), *u, added) / flux_at(mesh, problem->weights(), green, added);
+  for (std::size_t v = 0; v < u->size(); ++v) (*u)[v] += level * green[v];
+  const Design_extremum mine = *extremum;
+  region.extrema.erase(extremum); // it bounds no lift of its own
+  const double sign = mine.is_maximum ? 1 : -1, q = largest_lift(draft, region, *u, green, sign);
+  if (!std::isfinite(q) || !(q > 0)) return refuse("there is no room for another extremum");
+  region.field.values = std::move(*u);
+  for (std::size_t v = 0; v < region.field.values.size(); ++v)
+    region.field.values[v] += sign * strength * q * green[v];
+  region.extrema.push_back(mine);
+  region.extrema.back().value = region.field.values[added];
+  return {};
+}
+
+Result<Region> cut_out(Draft& draft, const std::set<int>& charts, int inside) {
+  const Atlas& atlas = draft.atlas();
+  std::vector<int> inner;
+  for (std::size_t e = 0; e < atlas.charts_of_edge.size(); ++e) {
+    const std::array<int, 2> sides = atlas.charts_of_edge[e];
+    if (sides[0] != sides[1] && charts.count(sides[0]) && charts.count(sides[1])) inner.push_back(int(e));
+  }
+  for (int e : inner) remove_edge(draft.network, e);
+  const std::vector<int> faces =
+      faces_of_charts(draft.surface(), atlas, std::vector<int>(charts.begin(), charts.end()));
+  const Result<Embedding> embedding = embed(draft.surface(), draft.network, faces);
+  if (!embedding) return embedding.error();
+  const std::vector<Triangle>& triangles = embedding->surface.triangles;
+  const auto around = std::find_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return std::find(t.begin(), t.end(), inside) != t.end();
+  });
+  CGAL_assertion(around != triangles.end());
+  Region region;
+  Result<Chart> chart =
+      cut_region(*embedding, draft.network, draft.extremal_vertices(), int(around - triangles.begin()));
+  if (!chart)
+    return refuse("the regions between the contours would not all be charts", chart.error().message);
+  region.chart = std::move(*chart);
+  std::vector<int> local(draft.surface().number_of_vertices(), -1);
+  for (std::size_t v = 0; v < region.chart.vertex_origin.size(); ++v)
+    if (const int o = region.chart.vertex_origin[v]; o >= 0 && o < int(local.size())) local[o] = int(v);
+  for (const Design_extremum& e : draft.extrema)
+    if (e.segment < 0 && local[e.vertex] >= 0) {
+      region.extrema.push_back(e);
+      region.extrema.back().vertex = local[e.vertex];
+    }
+  return region;
+}
+
+std::vector<bool> boundary_kinds(const Region& region) {
+  std::vector<bool> high(region.chart.mesh.number_of_vertices(), false), kinds;
+  for (const Walk& walk : region.chart.walks)
+    for (int v : walk.vertices) high[v] = walk.side == Side::high;
+  for (const std::vector<int>& loop : boundary_loops(region.chart.mesh))
+    kinds.push_back(high[region.chart.mesh.source(loop[0])]);
+  return kinds;
+}
+
+} // namespace
+
+Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
+                             double strength) {
+  Result<Region> region = cut_out(draft, charts, inside);
+  if (!region) return region.error();
+  const std::vector<int>& origin = region->chart.vertex_origin;
+  if (added >= 0) {
+    const int local = int(std::find(origin.begin(), origin.end(), added) - origin.begin());
+    if (Result<void> lifted = lift(draft, *region, local, strength); !lifted) return lifted;
+  } else {
+    Result<Dirichlet_problem> problem = region_problem(draft, *region);
+    if (!problem) return refuse("the field cannot be solved", problem.error().message);
+    Result<std::vector<double>> values = region_field(draft, *region, *problem);
+    if (!values) return values.error();
+    region->field.values = std::move(*values);
+  }
+  region->field.minima = vertices_of(region->extrema, false);
+  region->field.maxima = vertices_of(region->extrema, true);
+  region->field.boundary_is_maximum = boundary_kinds(*region);
+  for (std::vector<int>* list : {&region->field.minima, &region->field.maxima})
+    std::sort(list->begin(), list->end());
+  const Result<Reeb_layout> layout = make_layout(region->chart.mesh, region->field);
+  if (!layout && layout.error().code == Error_code::impossible_request) return refuse(layout.error().message);
+  if (!layout) return refuse("too near to another contour", layout.error().message);
+  if (!layout->lost_extrema.empty()) return refuse("there is no room for another extremum");
+  std::vector<int> fresh;
+  for (std::size_t e = 0; e < layout->network.edges.size(); ++e)
+    if (layout->network.nodes[layout->network.edges[e].from].kind != Node_kind::boundary)
+      fresh.push_back(int(e));
+  Result<std::vector<int>> transferred =
+      transfer_contours(draft.surface(), region->chart, layout->network, fresh, draft.network);
+  if (!transferred) return transferred.error();
+  for (const Design_extremum& e : region->extrema)
+    for (Design_extremum& mine : draft.extrema)
+      if (mine.vertex == origin[e.vertex]) mine.value = e.value;
+  return draft.cut();
+}
+
+int cap_contour(const Draft& draft, int chart) {
+  const Chart& c = draft.chart(chart);
+  if (c.kind != Chart_kind::disc || c.walks[0].edges.size() != 1) return -1;
+  const int e = c.walks[0].edges[0].edge;
+  const std::array<int, 2> sides = draft.atlas().charts_of_edge[e];
+  return draft.is_free_loop(e) && sides[0] >= 0 && sides[1] >= 0 ? e : -1;
+}
+
+namespace {
+
+// The charts around a disc's extremum that its cap only divides: the disc, and the annulus (or disc) beyond the cap.
+std::set<int> polar_charts(const Draft& draft, int disc) {
+  std::set<int> charts{disc};
+  if (const int cap = cap_contour(draft, disc); cap >= 0)
+    charts.insert(chart_across(draft.atlas(), cap, disc));
+  return charts;
+}
+
+void insert_extremum(Draft& draft, const Design_extremum& e) {
+  draft.extrema.push_back(e);
+  sort_by_vertex(draft.extrema);
+}
+
+Result<void> check_free(const Draft& draft, int vertex) {
+  if (is_boundary_vertex(draft.surface(), vertex) || draft.chart_of_vertex(vertex) < 0)
+    return refuse("the vertex lies on a contour", {}, Element_kind::vertex, vertex);
+  for (const Design_extremum& e : draft.extrema)
+    if (e.vertex == vertex) return refuse("two extrema at one vertex", {}, Element_kind::vertex, vertex);
+  return {};
+}
+
+} // namespace
+
+Result<void> apply_edit(Draft& draft, const Add_extremum& edit) {
+  if (!(edit.strength > 0 && edit.strength < 1))
+    return make_error(Error_code::impossible_request, "the strength of an extremum is between 0 and 1");
+  const int vertex = draft.vertex_at(edit.at);
+  if (edit.scope == Edit_scope::surface || draft.atlas().charts.empty()) {
+    std::vector<Design_extremum> extrema = draft.extrema;
+    extrema.push_back({vertex, edit.is_maximum, edit.is_maximum ? 1.0 : 0.0});
+    return design_surface(draft, std::move(extrema));
+  }
+  if (Result<void> free = check_free(draft, vertex); !free) return free;
+  const int chart = draft.chart_of_vertex(vertex);
+  insert_extremum(draft, {vertex, edit.is_maximum, 0});
+  return redesign_region(draft, polar_charts(draft, chart), vertex, vertex, edit.strength);
+}
+
+Result<void> apply_edit(Draft& draft, const Remove_extremum& edit) {
+  const int i = draft.extremum_at(edit.at.point);
+  if (i < 0) return refuse("there is no extremum");
+  const Design_extremum extremum = draft.extrema[i];
+  if (edit.scope == Edit_scope::surface) {
+    std::vector<Design_extremum> extrema = draft.extrema;
+    extrema.erase(extrema.begin() + i);
+    return design_surface(draft, std::move(extrema));
+  }
+  if (extremum.segment >= 0) return refuse("a half-pole: make it a quarter-pole first");
+  const int disc = draft.chart_of_vertex(extremum.vertex);
+  std::set<int> charts = polar_charts(draft, disc);
+  const std::set<int> polar = charts;
+  for (int c : polar) // and the charts around the saddle contour that ends the annulus
+    for (const Walk& walk : draft.chart(c).walks)
+      for (const Walk_edge& e : walk.edges) {
+        const Contour_edge& edge = draft.network.edges[e.edge];
+        for (int node : {edge.from, edge.to})
+          for (int around : draft.edges_at(node))
+            for (int side : draft.atlas().charts_of_edge[around])
+              if (side >= 0) charts.insert(side);
+      }
+  draft.extrema.erase(draft.extrema.begin() + i);
+  return redesign_region(draft, charts, extremum.vertex, -1, 0);
+}
+
+Result<void> apply_edit(Draft& draft, const Move_extremum& edit) {
+  const int i = draft.extremum_at(edit.from.point);
+  if (i < 0) return refuse("there is no extremum");
+  const int vertex = draft.vertex_at(edit.to);
+  Design_extremum extremum = draft.extrema[i];
+  if (edit.scope == Edit_scope::surface) {
+    std::vector<Design_extremum> extrema = draft.extrema;
+    extrema[i].vertex = vertex;
+    return design_surface(draft, std::move(extrema));
+  }
+  if (extremum.segment >= 0) return refuse("a half-pole: make it a quarter-pole first");
+  if (Result<void> free = check_free(draft, vertex); !free) return free;
+  const std::set<int> charts = polar_charts(draft, draft.chart_of_vertex(extremum.vertex));
+  if (!charts.count(draft.chart_of_vertex(vertex)))
+    return refuse("the extremum would leave its charts",
+                  "remove it and add another, or move it on the whole surface", Element_kind::vertex, vertex);
+  draft.extrema.erase(draft.extrema.begin() + i);
+  extremum.vertex = vertex;
+  insert_extremum(draft, extremum);
+  return redesign_region(draft, charts, vertex, -1, 0);
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each edit does to a draft. A failure leaves the draft in any state: it must be thrown away.
+#ifndef REEBQUAD_EDITS_STEPS_H
+#define REEBQUAD_EDITS_STEPS_H
+
+#include "design/draft.h"
+
+#include <CGAL/Reeb_quadrangulation/Edit.h>
+
+#include <set>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+Result<void> apply_edit(Draft& draft, const Suggest& edit);
+Result<void> apply_edit(Draft& draft, const Set_extrema& edit);
+Result<void> apply_edit(Draft& draft, const Add_extremum& edit);
+Result<void> apply_edit(Draft& draft, const Remove_extremum& edit);
+Result<void> apply_edit(Draft& draft, const Move_extremum& edit);
+Result<void> apply_edit(Draft& draft, const Change_value& edit);
+Result<void> apply_edit(Draft& draft, const Move_contour& edit);
+Result<void> apply_edit(Draft& draft, const Move_saddle& edit);
+Result<void> apply_edit(Draft& draft, const Drag_contour& edit);
+Result<void> apply_edit(Draft& draft, const Straighten_contour& edit);
+Result<void> apply_edit(Draft& draft, const Snap_contour& edit);
+Result<void> apply_edit(Draft& draft, const Subdivide_chart& edit);
+Result<void> apply_edit(Draft& draft, const Remove_contour& edit);
+Result<void> apply_edit(Draft& draft, const Align_saddles& edit);
+Result<void> apply_edit(Draft& draft, const Collapse_chart& edit);
+Result<void> apply_edit(Draft& draft, const Collapse_thin_charts& edit);
+Result<void> apply_edit(Draft& draft, const Split_pole& edit);
+Result<void> apply_edit(Draft& draft, const Move_corner& edit);
+Result<void> apply_edit(Draft& draft, const Split_saddle& edit);
+Result<void> apply_edit(Draft& draft, const Pin_corners& edit);
+Result<void> apply_edit(Draft& draft, const Set_target& edit);
+Result<void> apply_edit(Draft& draft, const Set_columns& edit);
+Result<void> apply_edit(Draft& draft, const Set_rows& edit);
+Result<void> apply_edit(Draft& draft, const Set_shift& edit);
+Result<void> apply_edit(Draft& draft, const Set_grading& edit);
+Result<void> apply_edit(Draft& draft, const Lock_chart& edit);
+Result<void> apply_edit(Draft& draft, const Reset_texture& edit);
+
+/// \name Textures
+/// The design with other textures: contours and counts stay.
+/// @{
+Result<Design> with_texture(const Draft& draft, const Edit_texture& edit);
+Result<Design> with_texture(const Draft& draft, const Drag_vertices& edit);
+Result<Design> with_texture(const Draft& draft, const Relax_texture& edit);
+Result<Design> with_texture(const Draft& draft, const Snap_vertices& edit);
+Result<Design> with_texture(const Draft& draft, const Fit_texture& edit);
+/// @}
+
+/// \name Parts of edits
+/// @{
+
+/// Designs some charts, which form one region around the vertex `inside`, anew with the extrema that lie in it; the contours around
+/// the region stay. With `added`, that extremum gets the value at `strength` of the way to where it breaks something.
+Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
+                             double strength);
+
+/// The order in which designs keep their extrema; no two share a vertex.
+void sort_by_vertex(std::vector<Design_extremum>& extrema);
+
+/// The charts that a field on the whole surface cuts it into; refused if it lacks one of its extrema.
+Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field);
+
+/// A field on a chart whose level lines go around it, from 0 to 1: U of an annulus; between the walk and the extremum of a disc.
+Result<std::vector<double>> level_field(Draft& draft, int chart);
+
+/// The design's field at the two ends of a chart.
+std::array<double, 2> value_range(const Draft& draft, const Chart& chart);
+
+/// Puts a new polyline in the place of a saddle's contour edge `old` and lets the field follow it, on the whole surface: the new contours
+/// are level lines near it.
+Result<void> enforce_by_field(Draft& draft, int old, Contour_edge fresh);
+
+/// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The draft is not cut.
+Result<int> draw_level_line(Draft& draft, int chart, int vertex);
+
+/// The contour edge at a point, which an edit may remove: a free loop inside the surface.
+Result<int> free_loop_at(const Draft& draft, const Surface_point& at);
+
+/// What bounds a chart: its contour edges, in increasing order, and its extremum, or -1.
+struct Chart_signature {
+  std::vector<int> edges;
+  int extremum = -1;
+  bool operator==(const Chart_signature& o) const { return edges == o.edges && extremum == o.extremum; }
+};
+
+/// The signature of the chart on the left (0) or right (1) of a contour edge; edges in `names` go by these.
+Chart_signature chart_beside(const Draft& draft, int edge, int side, const std::map<int, int>& names);
+
+/// Puts a new polyline in the place of contour edge `old`, in the sense in which the same charts stay on its left.
+Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh);
+
+/// The sum of the normals of the triangles at a vertex, each as long as twice its area.
+Eigen::Vector3d normal_at(const Triangle_surface& surface, int vertex);
+
+/// Fails unless every extremum has a cap: a contour of its own (a disc's corners would fall on saddles).
+Result<void> check_caps(const Draft& draft);
+
+/// The contour edge that passes a chart's extremum side and is a free loop: its cap; -1 if there is none.
+int cap_contour(const Draft& draft, int chart);
+
+/// @}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEBQUAD_EDITS_STEPS_H

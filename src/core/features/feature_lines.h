@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_FEATURES_FEATURE_LINES_H
+#define REEBQUAD_FEATURES_FEATURE_LINES_H
+
+#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
+#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace internal {
+
+/// A vertex near a curve, nearest at an arc length.
+struct Feature_seed {
+  int vertex, curve;
+  double t;
+};
+
+/// Moves lines of edges onto the curves that they run along, and the vertices around them by less and less. A line takes a part of a
+/// curve along which it stays nearer than `options.line_reach` edges and goes straight through the quads, and has a vertex among `seeds`;
+/// the best ones are taken first. A line is taken only if no quad becomes worse than `options.worst_jacobian`, or than it was; else without its vertices at such
+/// quads. Vertices that are `held` stay; those of lines become so, and their places are added. Returns the number of these.
+int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
+                          const std::vector<Surface_curve>& curves, const std::vector<Feature_seed>& seeds,
+                          const Snap_options& options, std::vector<char>& held,
+                          std::vector<Vertex_constraints::Place>& places);
+
+} // namespace internal
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEBQUAD_FEATURES_FEATURE_LINES_H

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "relax/relax_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace relaxation {
+
+namespace {
+
+// A smooth stand-in for "the worst quality around v": large where one quad is bad, flat where all are good.
+double penalty(const State& state, int v, const Step& step) {
+  double sum = 0;
+  for (int k = state.first[v]; k < state.first[v + 1]; ++k)
+    sum += std::exp(-7 * state.quality(state.corners[k] / 4, v, step));
+  return sum;
+}
+
+bool touches(const State& state, int q, const std::vector<char>& mask) {
+  const Quad& quad = state.mesh.quads[q];
+  return mask[quad[0]] || mask[quad[1]] || mask[quad[2]] || mask[quad[3]];
+}
+
+// Pattern search on the surface: eight directions in the tangent plane, steps from half the size of the quads
+// down.
+bool improve(State& state, int v) {
+  const Site& site = state.sites[v];
+  if (site.freedom == Freedom::fixed) return false;
+  const double size = state.size_around(v);
+  double best = penalty(state, v, state.here(v));
+  const double start = best;
+  int moves = 0;
+  for (double step = 0.5 * size; step > 0.01 * size;) {
+    const Point n = state.normal(v), side = n.unitOrthogonal(), other = n.cross(side);
+    Step found;
+    for (int i = 0; i < 8; ++i) {
+      static const double half = std::sqrt(0.5);
+      static const double cosine[8] = {1, half, 0, -half, -1, -half, 0, half};
+      const Point target = state.mesh.points[v] + step * (cosine[i] * side + cosine[(i + 6) % 8] * other);
+      const Step candidate = state.constrain(v, target);
+      const double p = penalty(state, v, candidate);
+      if (p >= best * (1 - 1e-4)) continue;
+      best = p;
+      found = candidate;
+    }
+    if (found.face >= 0) state.move(v, found);
+    if (found.face < 0 || ++moves > 20) step *= 0.5;
+  }
+  return best < start * (1 - 1e-3);
+}
+
+} // namespace
+
+void untangle(State& state, double wanted, int rounds, const std::vector<char>* mask, Observer* observer) {
+  const int nq = int(state.mesh.quads.size());
+  for (int round = 0; round < rounds; ++round) {
+    if (observer && observer->cancelled()) return;
+    std::vector<char> chosen(state.number_of_vertices(), 0);
+    bool any = false;
+    for (int q = 0; q < nq; ++q)
+      if ((!mask || touches(state, q, *mask)) && state.quality(q) < wanted) {
+        any = true;
+        for (int v : state.mesh.quads[q]) chosen[v] = 1;
+      }
+    if (!any) return;
+    // Each further round that is needed lets one more ring of vertices give way, up to three.
+    for (int ring = 0; ring < std::min(round / 3, 3); ++ring) {
+      const std::vector<char> inner = chosen;
+      for (const Quad& q : state.mesh.quads)
+        if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
+          for (int v : q) chosen[v] = 1;
+    }
+    bool improved = false;
+    for (int v = 0; v < state.number_of_vertices(); ++v)
+      if (chosen[v] && (!mask || (*mask)[v])) improved = improve(state, v) || improved;
+    if (!improved && round >= 9) return;
+  }
+}
+
+} // namespace relaxation
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
