@@ -3,8 +3,8 @@
 #define CGAL_REEB_QUADRANGULATION_POLE_FANS_H
 
 #include <CGAL/Reeb_quadrangulation/Design.h>
-#include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include <string>
 #include <vector>
