@@ -2,9 +2,11 @@
 # Sourced by ./quickstart and ./check: the Debian packages that we need and how to install what is missing.
 build_packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev
   libsuitesparse-dev libpng-dev nlohmann-json3-dev"
-test_packages="catch2 clang-format doxygen nodejs chromium"
-# npm is part of some packages of nodejs, and then the package npm cannot stand beside them.
-command -v npm >/dev/null || test_packages="$test_packages npm"
+# The page of the studio. npm is part of some packages of nodejs, and then the package npm cannot stand beside them.
+studio_packages=""
+command -v node >/dev/null || studio_packages="nodejs"
+command -v npm >/dev/null || studio_packages="$studio_packages npm"
+test_packages="catch2 clang-format doxygen chromium"
 
 # install_packages NAME...: installs those that are missing; says nothing when there are none.
 install_packages() {

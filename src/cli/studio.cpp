@@ -90,7 +90,8 @@ Exit_code execute_studio(const Arguments& arguments) {
   if (!options) return Exit_code::success;
   if (studio::assets().empty())
     throw Failure(Exit_code::other_failure,
-                  "this program was built without the page of the studio: install npm and build again");
+                  std::string("this program was built without the page of the studio (") +
+                      studio::missing_page_reason() + "): install npm and build again");
   studio::Server server(options->folder, options->port);
   std::cout << server.url() << std::endl;
   if (!options->file.empty()) server.open_file(options->file);

@@ -1,42 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -P make_page.cmake: builds the page with npm in WORK_DIR and writes OUTPUT, a C++ file that holds the page's files
-# (none if WITH_PAGE is OFF, or if npm fails and REQUIRED is AUTO).
+# cmake -P make_page.cmake: builds the page with npm in WORK_DIR and writes OUTPUT, a C++ file that holds the page's files. Where
+# there is none (WITH_PAGE is OFF, or npm fails and REQUIRED is AUTO), OUTPUT holds no file and the sentence that says why.
+include(${CMAKE_CURRENT_LIST_DIR}/install_page_packages.cmake)
 set(page_dir ${WORK_DIR}/dist)
 
-function(run_npm result)
-  execute_process(COMMAND ${NPM} ${ARGN} WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE status
-    OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message("npm ${ARGN} failed:\n${output}")
-  endif()
-  set(${result} ${status} PARENT_SCOPE)
-endfunction()
-
-# Sets `result` to whether the page was built.
-function(build_page result)
-  set(${result} FALSE PARENT_SCOPE)
+# Sets `problem` to the sentence that says why the page could not be built, or to nothing.
+function(build_page problem)
+  set(${problem} "" PARENT_SCOPE)
   file(MAKE_DIRECTORY ${WORK_DIR})
-  file(REMOVE_RECURSE ${WORK_DIR}/source ${page_dir})
+  file(REMOVE_RECURSE ${WORK_DIR}/source ${page_dir} ${NPM_LOG})
   file(COPY ${SOURCE_DIR}/source ${SOURCE_DIR}/public ${SOURCE_DIR}/index.html ${SOURCE_DIR}/package.json ${SOURCE_DIR}/package-lock.json
     ${SOURCE_DIR}/tsconfig.json ${SOURCE_DIR}/vite.config.ts ${SOURCE_DIR}/vite.report.config.ts DESTINATION ${WORK_DIR})
-  file(SHA256 ${WORK_DIR}/package-lock.json lock)
-  set(installed "")
-  if(EXISTS ${WORK_DIR}/node_modules/.lock)
-    file(READ ${WORK_DIR}/node_modules/.lock installed)
-  endif()
-  if(NOT installed STREQUAL lock)
-    # `npm ci` of npm 11 does not take a lock file without the registry's host in it; `npm install` does, and leaves it as it is.
-    run_npm(status install --no-audit --no-fund --ignore-scripts)
-    file(SHA256 ${WORK_DIR}/package-lock.json lock_after)
-    if(NOT status EQUAL 0 OR NOT lock STREQUAL lock_after)
-      message("The packages of the page could not be installed as package-lock.json has them.")
-      return()
-    endif()
-    file(WRITE ${WORK_DIR}/node_modules/.lock ${lock})
+  install_page_packages(status)
+  if(NOT status EQUAL 0)
+    set(${problem} "npm could not install the packages of the page" PARENT_SCOPE)
+    return()
   endif()
   run_npm(status run build)
-  if(status EQUAL 0)
-    set(${result} TRUE PARENT_SCOPE)
+  if(NOT status EQUAL 0)
+    set(${problem} "npm could not build the page" PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -56,12 +38,13 @@ endfunction()
 
 set(arrays "")
 set(rows "")
+set(problem "${WHY_NOT}")
 if(WITH_PAGE)
-  build_page(built)
-  if(NOT built AND REQUIRED STREQUAL "ON")
-    message(FATAL_ERROR "the page of the studio could not be built")
-  elseif(NOT built)
-    message(WARNING "The page of the studio could not be built: the program is built without it.")
+  build_page(problem)
+  if(problem AND REQUIRED STREQUAL "ON")
+    message(FATAL_ERROR "${problem}; what npm said is in ${NPM_LOG}")
+  elseif(problem)
+    message(WARNING "The program is built without the page of the studio: ${problem}; what npm said is in ${NPM_LOG}")
   else()
     file(GLOB_RECURSE files RELATIVE ${page_dir} ${page_dir}/*)
     list(SORT files)
@@ -89,5 +72,9 @@ const std::vector<reebquad::studio::Asset>& reebquad::studio::assets() {
   static const std::vector<Asset> files{
 ${rows}  };
   return files;
+}
+
+const char* reebquad::studio::missing_page_reason() {
+  return \"${problem}\";
 }
 ")

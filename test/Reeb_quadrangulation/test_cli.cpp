@@ -90,7 +90,20 @@ TEST_CASE("every command explains itself") {
     CHECK(outcome.err.empty());
   }
   CHECK(contains(reebquad({"help"}).out, "run"));
-  CHECK(contains(reebquad({"version"}).out, "CGAL"));
+}
+
+TEST_CASE("the version tells the libraries and whether the studio has its page") {
+  const std::string version = reebquad({"version"}).out;
+  CHECK(contains(version, "CGAL"));
+  const bool with_page = contains(version, "studio: with its page");
+  CHECK(with_page != contains(version, "studio: without its page ("));
+  if (with_page) return;
+  // The studio gives the same reason.
+  const std::size_t begin = version.find('(', version.find("without its page"));
+  const std::string reason = version.substr(begin, version.find(')', begin) + 1 - begin);
+  const Outcome refused = reebquad({"studio", "--no-browser"});
+  CHECK(refused.code == 1);
+  CHECK(contains(refused.err, reason));
 }
 
 TEST_CASE("unreadable files return 3, soon, within little memory, and name the file and the place") {
