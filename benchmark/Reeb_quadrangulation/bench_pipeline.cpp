@@ -49,8 +49,13 @@ double cholmod_seconds(const Triangle_surface& surface) {
   return cpu_seconds() - start;
 }
 
-// Order, critical points, contours and the Reeb graph of a given field, with the charts cut out.
-double layout_seconds(const Triangle_surface& surface, const Designed_field& field) {
+// Order, critical points, contours and the Reeb graph of a design's field, with the charts cut out.
+double layout_seconds(const Editor& editor) {
+  const Triangle_surface& surface = editor.working_surface();
+  Designed_field field;
+  field.values = editor.design().field->values;
+  for (const Design_extremum& e : editor.design().extrema)
+    (e.is_maximum ? field.maxima : field.minima).push_back(e.vertex);
   const double start = cpu_seconds();
   const Result<Reeb_layout> layout = make_layout(surface, field);
   if (!layout) fail(layout.error());
@@ -77,7 +82,7 @@ void measure(const std::string& shape, int triangles, int repetitions) {
       stages[stage.name].push_back(stage.cpu_seconds);
       peak = std::max(peak, stage.peak_megabytes);
     }
-    layout.push_back(layout_seconds(result->working_surface, result->field));
+    layout.push_back(layout_seconds(result->editor));
     cholmod.push_back(cholmod_seconds(*surface));
   }
   Json line;

@@ -59,7 +59,7 @@ Json mesh_file(const std::string& path, int quads, double scale, Totals& totals)
     closed = closed && boundary_loops(component.surface).empty();
     triangles += component.surface.number_of_faces();
     line["genus"].push_back(result->genus);
-    line["target_met"].push_back(result->sampling.target_met);
+    line["target_met"].push_back(result->editor.design().counts.target_met);
     line["collapsed_charts"].push_back(result->collapsed_charts);
     append(result->mesh, whole);
   }

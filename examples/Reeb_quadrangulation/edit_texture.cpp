@@ -69,10 +69,10 @@ int main() {
   // The belt is made denser than the caps: T-junctions are resolved in the caps, whose textures stay as they are.
   apply(editor, "the belt subdivided alone", texture(RQ::Texture_operator::subdivide, at(0, 1, 0)));
 
-  const RQ::Result<RQ::Stitched_mesh> finished = editor.finished_quads();
+  const RQ::Result<RQ::Finished_design> finished = editor.finished_quads();
   if (!finished) {
     std::cerr << finished.error().message << '\n';
     return 1;
   }
-  std::cout << "relaxed: " << finished->mesh.quads.size() << " quads\n";
+  std::cout << "relaxed: " << finished->quads.mesh.quads.size() << " quads\n";
 }

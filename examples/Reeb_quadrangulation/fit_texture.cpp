@@ -10,12 +10,12 @@ namespace {
 
 // The share of the sharp edges that edges of the finished quads run along.
 double covered(const RQ::Editor& editor) {
-  const RQ::Result<RQ::Stitched_mesh> quads = editor.finished_quads();
+  const RQ::Result<RQ::Finished_design> quads = editor.finished_quads();
   if (!quads) {
     std::cerr << quads.error().message << '\n';
     std::exit(1);
   }
-  const RQ::Mesh_statistics statistics = quad_statistics(quads->mesh, &editor.input());
+  const RQ::Mesh_statistics statistics = quad_statistics(quads->quads.mesh, &editor.input());
   std::cout << "  " << statistics.quads << " quads, " << statistics.inverted_quads << " inverted; "
             << 100 * *statistics.covered_sharp_edges << " % of the sharp edges run along edges of quads\n";
   return *statistics.covered_sharp_edges;

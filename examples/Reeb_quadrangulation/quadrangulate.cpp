@@ -20,7 +20,8 @@ int main() {
     return 1;
   }
   std::cout << surface->number_of_faces() << " triangles of genus " << result->genus << " became "
-            << result->mesh.quads.size() << " quads in " << result->layout.atlas.charts.size() << " charts\n";
+            << result->mesh.quads.size() << " quads in " << result->editor.design().charts.size()
+            << " charts\n";
   for (const auto& [valence, number] : result->valences)
     std::cout << number << " vertices of valence " << valence << "\n";
 

@@ -43,7 +43,7 @@ int main() {
     return 1;
   }
 
-  std::vector<int> quads_of_chart(result->layout.atlas.charts.size());
+  std::vector<int> quads_of_chart(result->editor.design().charts.size());
   for (const Mesh::Face_index f : quads.faces()) ++quads_of_chart[chart[f]];
   std::cout << quads.number_of_faces() << " quads, genus " << result->genus << "; in the charts:";
   for (int n : quads_of_chart) std::cout << ' ' << n;

@@ -7,23 +7,25 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-std::vector<double> embedded_values(const Reeb_layout& layout) {
-  std::vector<double> values = layout.values;
-  values.resize(layout.embedding.surface.points.size(), 0);
-  for (const Contour_edge& edge : layout.network.edges)
+std::vector<double> embedded_values(const Design& design, const Embedding& embedding) {
+  std::vector<double> values = design.field->values;
+  values.resize(embedding.surface.points.size(), 0);
+  for (const Contour_edge& edge : design.network.edges)
     for (const int v : edge.vertices)
-      if (layout.network.is_crossing(v)) values[v] = edge.value;
+      if (design.network.is_crossing(v)) values[v] = edge.value;
   return values;
 }
 
 } // namespace
 
-Layout_view::Layout_view(const Quadrangulation& result)
-    : values(embedded_values(result.layout)), charted{result.working_surface,
-                                                      result.layout.embedding,
-                                                      result.layout.network,
-                                                      result.layout.graph,
-                                                      result.layout.atlas.chart_of_face,
-                                                      values} {}
+Layout_view::Layout_view(const Editor& editor)
+    : embedded(embed_design(editor.working_surface(), editor.design())),
+      graph(reeb_graph(editor.design().atlas, editor.design().network)),
+      values(embedded_values(editor.design(), embedded.embedding)), charted{editor.working_surface(),
+                                                                            embedded.embedding,
+                                                                            editor.design().network,
+                                                                            graph,
+                                                                            embedded.chart_of_face,
+                                                                            values} {}
 
 } // namespace reebquad

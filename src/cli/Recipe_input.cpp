@@ -17,9 +17,12 @@ namespace {
 
 constexpr std::uint64_t largest_recipe = std::uint64_t(256) << 20;
 
-/// The component of that number, counted from 1; 0: the only one.
-Triangle_surface read_component(const std::string& file, int component) {
-  Mended_surface mended = value_or_fail(mend_surface(read_soup(file)), file);
+/// The component of the recipe's number, counted from 1; 0: the only one.
+Triangle_surface read_component(const std::string& file, const Recipe& recipe) {
+  Mend_options options;
+  options.fill_holes = recipe.fill_holes;
+  Mended_surface mended = value_or_fail(mend_surface(read_soup(file), options), file);
+  const int component = recipe.component;
   const std::size_t number = mended.components.size();
   if (component == 0 && number != 1)
     throw Failure(Exit_code::not_a_surface, file + ": a recipe is for one connected surface, this file has " +
@@ -39,8 +42,8 @@ Recipe read_recipe(const std::string& file) {
 
 Editor replay_recipe(const std::string& input, const Recipe& recipe, const std::string& recipe_name,
                      Terminal_observer& observer) {
-  Editor editor = value_or_fail(
-      Editor::create(read_component(input, recipe.component), recipe.options, &observer), input);
+  Editor editor =
+      value_or_fail(Editor::create(read_component(input, recipe), recipe.options, &observer), input);
   for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
     const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");

@@ -98,9 +98,12 @@ void declare(Command_line& line) {
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
       ("html", value<std::string>("FILE"), "write a report with an interactive view as one HTML file") //
       ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                   //
-      ("extrema", value<std::string>("FILE"), "place the extrema: lines 'min x y z' or 'max x y z'")   //
-      ("min", value<Texts>("x,y,z")->composing(), "place a minimum near that point (repeatable)")      //
-      ("max", value<Texts>("x,y,z")->composing(), "place a maximum near that point (repeatable)")      //
+      ("write-recipe", value<std::string>("FILE"),
+       "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
+      ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
+      ("extrema", value<std::string>("FILE"), "place the extrema: lines 'min x y z' or 'max x y z'") //
+      ("min", value<Texts>("x,y,z")->composing(), "place a minimum near that point (repeatable)")    //
+      ("max", value<Texts>("x,y,z")->composing(), "place a maximum near that point (repeatable)")    //
       ("axis", value<std::string>("x,y,z")->default_value("0,0,1"),
        "up: suggested extrema below the middle become minima, those above maxima") //
       ("persistence", value<double>("P")->default_value(default_persistence),
@@ -170,6 +173,8 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   options.output = line.required("output");
   if (line.has("report")) options.report = line.text("report");
   if (line.has("html")) options.html = line.text("html");
+  if (line.has("component")) options.component = in_range(line, "component", 1, 1000000000);
+  if (line.has("write-recipe")) options.recipe = line.text("write-recipe");
   if (line.has("pictures")) options.pictures = line.text("pictures");
   options.mending = mending(line);
   options.timings = line.has("timings");

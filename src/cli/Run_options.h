@@ -18,9 +18,11 @@ struct Run_options {
   std::string output;
   std::string report;   ///< empty: none is written
   std::string html;     ///< empty: none is written
+  std::string recipe;   ///< empty: none is written
   std::string pictures; ///< a folder; empty: none are made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
+  int component = 0; ///< the only one to mesh, counted from 1; 0: all
   bool timings = false;
   bool quiet = false;
   bool validate = false; ///< demand strict validity: also no inverted quad and no self-intersection

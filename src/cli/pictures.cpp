@@ -9,6 +9,7 @@
 #include "view/Skeleton.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace reebquad {
 
@@ -18,6 +19,8 @@ namespace {
 
 constexpr int width = 1000, height = 800;
 
+using Views = std::vector<std::unique_ptr<const Layout_view>>; // one for each component
+
 /// The embedded surfaces of all components as one, with the field and the chart of each face.
 struct Joined_layout {
   Triangle_surface surface;
@@ -25,39 +28,35 @@ struct Joined_layout {
   std::vector<int> chart_of_face;
 };
 
-Joined_layout joined_layout(const Run& run) {
+Joined_layout joined_layout(const Views& views) {
   Joined_layout all;
   int charts = 0;
-  for (const Component_run& component : run.components) {
-    const Reeb_layout& layout = component.result->layout;
-    const Triangle_surface& surface = layout.embedding.surface;
+  for (const auto& view : views) {
+    const Triangle_surface& surface = view->embedded.embedding.surface;
     const int first = all.surface.number_of_vertices();
     all.surface.points.insert(all.surface.points.end(), surface.points.begin(), surface.points.end());
     for (const Triangle& t : surface.triangles)
       all.surface.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    const std::vector<double> values = Layout_view(*component.result).values;
-    all.values.insert(all.values.end(), values.begin(), values.end());
-    for (const int chart : layout.atlas.chart_of_face) all.chart_of_face.push_back(charts + chart);
-    charts += int(layout.atlas.charts.size());
+    all.values.insert(all.values.end(), view->values.begin(), view->values.end());
+    for (const int chart : view->embedded.chart_of_face) all.chart_of_face.push_back(charts + chart);
+    charts += int(view->graph.arcs.size());
   }
   return all;
 }
 
-void add_contours(Scene& scene, const Run& run, double pixels) {
-  for (const Component_run& component : run.components) {
-    const Reeb_layout& layout = component.result->layout;
-    for (const Contour_edge& edge : layout.network.edges) {
+void add_contours(Scene& scene, const Views& views, double pixels) {
+  for (const auto& view : views)
+    for (const Contour_edge& edge : view->charted.network.edges) {
       std::vector<Point> line;
-      for (const int v : edge.vertices) line.push_back(layout.embedding.surface.points[v]);
+      for (const int v : edge.vertices) line.push_back(view->embedded.embedding.surface.points[v]);
       add_polyline(scene, line, {30, 28, 34}, pixels);
     }
-  }
 }
 
-void add_reeb_graph(Scene& scene, const Quadrangulation& result) {
-  const studio::Skeleton drawn = studio::skeleton(Layout_view(result).charted);
+void add_reeb_graph(Scene& scene, const Layout_view& view) {
+  const studio::Skeleton drawn = studio::skeleton(view.charted);
   std::vector<Colour> colours;
-  for (const int vertex : result.layout.graph.extremum)
+  for (const int vertex : view.graph.extremum)
     colours.push_back(vertex >= 0 ? Colour{196, 64, 48} : Colour{40, 90, 160});
   add_graph(scene, drawn.nodes, drawn.arcs, colours);
 }
@@ -93,15 +92,18 @@ void write_pictures(const Run& run, const Run_options& options) {
     return render(scene, camera(View::three_quarter, up), width, height);
   };
 
-  const Joined_layout layout = joined_layout(run);
+  Views views;
+  for (const Component_run& component : run.components)
+    views.push_back(std::make_unique<const Layout_view>(component.result->editor));
+  const Joined_layout layout = joined_layout(views);
   Scene field = scalar_scene(layout.surface, layout.values);
-  add_contours(field, run, 3);
+  add_contours(field, views, 3);
   write(view(field), "field.png");
   Scene charts = face_colour_scene(layout.surface, layout.chart_of_face);
-  add_contours(charts, run, 2);
+  add_contours(charts, views, 2);
   write(view(charts), "charts.png");
   Scene graph = surface_scene(run.surface);
-  for (const Component_run& component : run.components) add_reeb_graph(graph, *component.result);
+  for (const auto& component : views) add_reeb_graph(graph, *component);
   write(view(graph), "reeb_graph.png");
   const Scene quads = quad_scene(run.quads);
   write(view(quads), "quads.png");

@@ -24,9 +24,9 @@ struct Replay_options {
   int until = -1;
   int component = 0; ///< 0: as the recipe says
   int threads = 0;
-  double feature_angle = 45;
-  bool feature_lines = false;
-  bool relax = true;
+  std::optional<double> feature_angle; ///< instead of the recipe's
+  bool feature_lines = false;          ///< also where the recipe has none
+  bool relax = true;                   ///< where the recipe relaxes
   bool quiet = false;
 };
 
@@ -40,8 +40,8 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "pictures", po::value<std::string>()->value_name("DIR"), "write PNG pictures into this folder")(
       "threads", po::value<int>()->value_name("N")->default_value(0),
       "how many threads; 0: as many as there are")("no-relax", "do not relax the quads on the surface")(
-      "feature-angle", po::value<double>()->value_name("DEGREES")->default_value(45),
-      "quads keep edges whose faces' normals differ by more; 0: none")(
+      "feature-angle", po::value<double>()->value_name("DEGREES"),
+      "quads keep edges whose faces' normals differ by more; 0: none; by default what the recipe says")(
       "feature-lines", "lay whole lines of quads' edges onto sharp edges")("quiet", "print errors only");
   line.take("INPUT");
   line.take("RECIPE");
@@ -62,9 +62,11 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   }
   options.threads = line.values["threads"].as<int>();
   if (options.threads < 0 || options.threads > 1024) throw Usage_error("--threads lies between 0 and 1024");
-  options.feature_angle = line.values["feature-angle"].as<double>();
-  if (!(options.feature_angle >= 0 && options.feature_angle <= 180))
-    throw Usage_error("--feature-angle lies between 0 and 180");
+  if (line.has("feature-angle")) {
+    options.feature_angle = line.values["feature-angle"].as<double>();
+    if (!(*options.feature_angle >= 0 && *options.feature_angle <= 180))
+      throw Usage_error("--feature-angle lies between 0 and 180");
+  }
   options.feature_lines = line.has("feature-lines");
   options.relax = !line.has("no-relax");
   options.quiet = line.has("quiet");
@@ -81,6 +83,9 @@ Recipe read_recipe_until(const Replay_options& options) {
   recipe.edits.resize(last);
   recipe.options.threads = options.threads;
   if (options.component > 0) recipe.component = options.component;
+  if (options.feature_angle) recipe.finish.features.feature_angle = *options.feature_angle;
+  if (options.feature_lines) recipe.finish.features.lines = true;
+  if (!options.relax) recipe.finish.relax = false;
   return recipe;
 }
 
@@ -92,14 +97,10 @@ Exit_code execute_replay(const Arguments& arguments) {
   require_writable_format(options->output);
   watch_for_interruption();
   Terminal_observer observer(options->quiet);
-  const Editor editor = replay_recipe(options->input, read_recipe_until(*options), options->recipe, observer);
-
-  Snap_options features;
-  features.feature_angle = options->feature_angle;
-  features.lines = options->feature_lines;
+  const Recipe recipe = read_recipe_until(*options);
+  const Editor editor = replay_recipe(options->input, recipe, options->recipe, observer);
   const Stitched_mesh quads =
-      options->relax ? value_or_fail(editor.finished_quads({}, features, &observer), options->input)
-                     : editor.quads();
+      value_or_fail(editor.finished_quads(recipe.finish, &observer), options->input).quads;
   const Design_output output(editor, quads);
   observer.clear();
   const bool passed = output.certificate().passed;

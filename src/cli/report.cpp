@@ -36,61 +36,67 @@ Json json_of(const Error& error) {
   return out;
 }
 
-Json extrema_json(const Quadrangulation& result) {
+Json extrema_json(const Editor& editor) {
   Json list = Json::array();
   for (const bool is_maximum : {false, true})
-    for (const int v : is_maximum ? result.field.maxima : result.field.minima)
-      list.push_back({{"kind", is_maximum ? "maximum" : "minimum"},
-                      {"position", json_of(result.working_surface.points[v])}});
+    for (const Design_extremum& e : editor.design().extrema)
+      if (e.is_maximum == is_maximum)
+        list.push_back({{"kind", is_maximum ? "maximum" : "minimum"},
+                        {"position", json_of(editor.working_surface().points[e.vertex])}});
   return list;
 }
 
-Json charts_json(const Quadrangulation& result) {
+Json charts_json(const Design& design, const Reeb_graph& graph) {
   Json list = Json::array();
-  const Reeb_layout& layout = result.layout;
-  for (std::size_t c = 0; c < layout.atlas.charts.size(); ++c) {
-    const Chart& chart = *layout.atlas.charts[c];
-    list.push_back({{"kind", chart.kind == Chart_kind::disc ? "disc" : "annulus"},
-                    {"triangles", chart.mesh.number_of_faces()},
-                    {"height", result.chart_height[c]},
-                    {"grid", result.sampling.grid[c]},
-                    {"low_node", layout.graph.arcs[c].low},
-                    {"high_node", layout.graph.arcs[c].high}});
+  for (std::size_t c = 0; c < design.charts.size(); ++c) {
+    const Design_chart& chart = *design.charts[c];
+    list.push_back({{"kind", chart.chart->kind == Chart_kind::disc ? "disc" : "annulus"},
+                    {"triangles", chart.chart->mesh.number_of_faces()},
+                    {"height", chart.height},
+                    {"grid", chart.grid},
+                    {"low_node", graph.arcs[c].low},
+                    {"high_node", graph.arcs[c].high}});
   }
   return list;
 }
 
 /// The charts that are thinner than half an edge of the quads.
-Json thin_charts_json(const Quadrangulation& result) {
+Json thin_charts_json(const Design& design) {
   Json list = Json::array();
-  for (std::size_t c = 0; c < result.chart_height.size(); ++c)
-    if (result.layout.atlas.charts[c]->kind == Chart_kind::annulus &&
-        result.chart_height[c] < 0.5 * result.sampling.edge_length)
+  for (std::size_t c = 0; c < design.charts.size(); ++c)
+    if (design.charts[c]->chart->kind == Chart_kind::annulus &&
+        design.charts[c]->height < 0.5 * design.edge_length)
       list.push_back(c);
   return list;
 }
 
 Json layout_json(const Quadrangulation& result) {
-  const Reeb_layout& layout = result.layout;
-  return {{"minima", layout.critical.minima.size()},
-          {"maxima", layout.critical.maxima.size()},
-          {"saddles", layout.critical.saddles.size()},
-          {"cleanup_rounds", layout.cleanup_rounds},
-          {"lost_extrema", layout.lost_extrema.size()},
-          {"reeb_nodes", layout.graph.number_of_nodes()},
-          {"reeb_arcs", layout.graph.arcs.size()},
-          {"reeb_loops", layout.graph.loops()},
-          {"contour_edges", layout.network.edges.size()},
-          {"collapsed_thin_charts", result.collapsed_charts},
-          {"thin_charts", thin_charts_json(result)},
-          {"flipped_triangles", result.flipped_triangles},
-          {"charts", charts_json(result)}};
+  const Design& design = result.editor.design();
+  const Reeb_graph graph = reeb_graph(design.atlas, design.network);
+  const auto maxima = std::count_if(design.extrema.begin(), design.extrema.end(),
+                                    [](const Design_extremum& e) { return e.is_maximum; });
+  return {
+      {"minima", design.extrema.size() - std::size_t(maxima)},
+      {"maxima", maxima},
+      {"saddles", std::count_if(design.network.nodes.begin(), design.network.nodes.end(),
+                                [](const Contour_node& n) { return n.kind == Node_kind::saddle; })},
+      {"cleanup_rounds", design.field->cleanup_rounds},
+      {"lost_extrema", design.field->lost_extrema.size()},
+      {"reeb_nodes", graph.number_of_nodes()},
+      {"reeb_arcs", graph.arcs.size()},
+      {"reeb_loops", graph.loops()},
+      {"contour_edges", std::count_if(design.network.edges.begin(), design.network.edges.end(),
+                                      [&](const Contour_edge& e) { return !design.network.is_removed(e); })},
+      {"collapsed_thin_charts", result.collapsed_charts},
+      {"thin_charts", thin_charts_json(design)},
+      {"flipped_triangles", result.flipped_triangles},
+      {"charts", charts_json(design, graph)}};
 }
 
-Json sampling_json(const Sampling& sampling) {
-  return {{"edge_length", sampling.edge_length}, {"quads", sampling.quads},
-          {"target_met", sampling.target_met},   {"worst_count_ratio", sampling.worst_ratio},
-          {"worst_edge", sampling.worst_edge},   {"counts", sampling.counts}};
+Json sampling_json(const Design& design) {
+  return {{"edge_length", design.edge_length},      {"quads", design.counts.quads},
+          {"target_met", design.counts.target_met}, {"worst_count_ratio", design.counts.worst_ratio},
+          {"worst_edge", design.counts.worst_edge}, {"counts", design.samples.counts}};
 }
 
 Json relaxation_json(const Relax_report& relaxation) {
@@ -128,9 +134,9 @@ Json component_json(const Component_run& component) {
   const Quadrangulation& result = *component.result;
   out["genus"] = result.genus;
   out["quads"] = result.mesh.quads.size();
-  out["extrema"] = extrema_json(result);
+  out["extrema"] = extrema_json(result.editor);
   out["layout"] = layout_json(result);
-  out["sampling"] = sampling_json(result.sampling);
+  out["sampling"] = sampling_json(result.editor.design());
   out["adaptive"] = {{"subdivided_quads", result.subdivided_quads}, {"t_junctions", result.t_junctions}};
   out["relaxation"] = relaxation_json(result.relaxation);
   out["features"] = features_json(result.features);

@@ -12,19 +12,14 @@ using namespace CGAL::Reeb_quadrangulation;
 namespace {
 
 studio::Layers layers_of(const Quadrangulation& result, const Point& origin) {
-  const Layout_view view(result);
+  const Design& design = result.editor.design();
+  const Layout_view view(result.editor);
   studio::Layer_source source;
   source.origin = origin;
-  source.surface = &result.working_surface;
+  source.surface = &result.editor.working_surface();
   source.charted = &view.charted;
-  for (std::size_t c = 0; c < result.layout.atlas.charts.size(); ++c) source.chart_ids.push_back(int(c));
-  for (const bool is_maximum : {false, true})
-    for (const int v : is_maximum ? result.field.maxima : result.field.minima) {
-      Design_extremum extremum;
-      extremum.vertex = v;
-      extremum.is_maximum = is_maximum;
-      source.extrema.push_back(extremum);
-    }
+  for (std::size_t c = 0; c < design.charts.size(); ++c) source.chart_ids.push_back(int(c));
+  source.extrema = design.extrema;
   source.quads = &result.mesh;
   source.chart_of_quad = result.chart_of_quad;
   return studio::make_layers(source);

@@ -5,9 +5,10 @@
 #include "Interruption.h"
 #include "Terminal_observer.h"
 
-#include "base/stage_clock.h"
+#include "base/stage_recorder.h"
 #include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 
 #include "view/Html_report.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <set>
 
 namespace reebquad {
 
@@ -26,7 +28,7 @@ namespace {
 class Runner {
 public:
   explicit Runner(const Run_options& options)
-      : m_options(options), m_observer(options.quiet), m_clock(&m_observer, m_run.stages) {}
+      : m_options(options), m_observer(options.quiet), m_recorder(&m_observer, own_stages()) {}
 
   Exit_code execute() {
     begin("reading");
@@ -43,9 +45,15 @@ public:
 
 private:
   void begin(const std::string& stage) {
-    if (!m_clock.begin(stage)) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    m_recorder.progress(stage, 0);
   }
-  void end() { m_clock.end(); }
+  void end() { m_recorder.end(); }
+
+  /// Those outside the components' own.
+  static std::set<std::string> own_stages() {
+    return {"reading", "mending", "certificate", "statistics", "pictures", "HTML report", "writing"};
+  }
 
   /// Says what is wrong; the first such error becomes the status.
   void report_error(const Error& error) {
@@ -63,6 +71,7 @@ private:
     if (!mended) {
       m_run.refused.push_back(mended.error());
     } else {
+      take_component(*mended);
       m_run.surface = joined(*mended);
       m_run.mends = std::move(mended->mends);
       m_run.refused = std::move(mended->refused);
@@ -74,6 +83,33 @@ private:
     if (!m_options.quiet)
       for (const Mend& change : m_run.mends)
         std::cerr << "reebquad: " << m_options.input << ": " << change.text << '\n';
+  }
+
+  /// Leaves only the component that is asked for, if one is.
+  void take_component(Mended_surface& mended) {
+    const std::size_t number = mended.components.size();
+    m_component = number > 1 ? m_options.component : 0;
+    if (std::size_t(m_options.component) > number)
+      throw Failure(Exit_code::not_a_surface, m_options.input + ": there is no component " +
+                                                  std::to_string(m_options.component) + ", the file has " +
+                                                  std::to_string(number));
+    if (m_options.component > 0) {
+      Mended_component only = std::move(mended.components[std::size_t(m_options.component - 1)]);
+      mended.components.clear();
+      mended.components.push_back(std::move(only));
+    } else if (number > 1 && !m_options.recipe.empty()) {
+      throw Failure(Exit_code::usage, m_options.input +
+                                          ": --write-recipe is for one component, this file has " +
+                                          std::to_string(number) + "; --component says which");
+    }
+  }
+
+  void write_recipe() const {
+    Recipe recipe = value_or_fail(automatic_recipe(m_options.pipeline), m_options.recipe);
+    recipe.component = m_component;
+    recipe.fill_holes = m_options.mending.fill_holes;
+    const Uninterruptible whole;
+    succeed_or_fail(write_file_atomically(m_options.recipe, to_json(recipe)), m_options.recipe);
   }
 
   /// Quads and placed extrema are dealt out to the components.
@@ -165,9 +201,11 @@ private:
         succeed_or_fail(write_file_atomically(m_options.html, html), m_options.html);
         end();
       }
+      if (m_run.status == Exit_code::success && !m_options.recipe.empty()) write_recipe();
       if (m_run.status == Exit_code::success) write_quads();
     }
     m_observer.clear();
+    m_run.stages = m_recorder.finish();
     if (!m_options.report.empty()) {
       const Uninterruptible whole;
       succeed_or_fail(write_file_atomically(m_options.report, report_json(m_run, m_options)),
@@ -223,8 +261,9 @@ private:
 
   const Run_options& m_options;
   Run m_run;
+  int m_component = 0; // the one that is meshed, of several
   Terminal_observer m_observer;
-  CGAL::Reeb_quadrangulation::internal::Stage_clock<Stage_time> m_clock;
+  CGAL::Reeb_quadrangulation::internal::Stage_recorder m_recorder;
 };
 
 } // namespace

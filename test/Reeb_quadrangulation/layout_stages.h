@@ -4,8 +4,11 @@
 #define REEBQUAD_TEST_LAYOUT_STAGES_H
 
 #include "base/pointers_to.h"
+
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/layout_sampling.h>
+#include <CGAL/Reeb_quadrangulation/place_texture.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include "tiny_surfaces.h"
@@ -115,8 +118,13 @@ inline Result<void> fill(Stages& run, int quads) {
     run.flipped += run.maps[c].flipped(chart);
     run.folds += folds(chart, run.maps[c]);
   }
-  run.stitched = stitch(run.layout.embedding.surface.points, run.layout.network, run.layout.atlas,
-                        run.samples, internal::pointers_to(run.textures));
+  Result<Stitched_mesh> stitched =
+      stitch_textures(run.layout.embedding.surface.points, run.layout.network, run.layout.atlas, run.samples,
+                      internal::pointers_to(run.textures));
+  if (!stitched) return stitched.error();
+  if (stitched->t_junctions != 0)
+    return make_error(Error_code::internal_error, "sides of charts do not meet sample by sample");
+  run.stitched = std::move(*stitched);
   return {};
 }
 

@@ -109,12 +109,13 @@ inline void check(const Entry& entry, const Triangle_surface& surface) {
   CHECK(certificate.passed);
   CHECK(extraordinary(certificate.interior_valences) == extraordinary(entry.valences));
   CHECK(has_corners(quads.mesh, entry, surface));
-  const Result<Stitched_mesh> finished = editor.finished_quads();
+  const Result<Finished_design> finished = editor.finished_quads();
   REQUIRE(bool(finished));
-  const Certificate relaxed = certify({finished->mesh, &surface, finished->valences, finished->components});
+  const Certificate relaxed =
+      certify({finished->quads.mesh, &surface, finished->quads.valences, finished->quads.components});
   CHECK(relaxed.passed);
   CHECK(relaxed.inverted_quads.empty());
-  CHECK(has_corners(finished->mesh, entry, surface));
+  CHECK(has_corners(finished->quads.mesh, entry, surface));
   while (editor.can_undo()) {
     editor.undo();
     REQUIRE(bytes_of(editor) == states[editor.position()]);

@@ -317,9 +317,10 @@ TEST_CASE(
     CHECK(!chart_at(editor, right).edited);
     CHECK(valences(editor) == before);
     CHECK(editor.quads().t_junctions > 0);
-    const Result<Stitched_mesh> finished = editor.finished_quads();
+    const Result<Finished_design> finished = editor.finished_quads();
     REQUIRE(bool(finished));
-    CHECK(stages::faults(finished->mesh, editor.input(), finished->valences, finished->components) == "");
+    CHECK(stages::faults(finished->quads.mesh, editor.input(), finished->quads.valences,
+                         finished->quads.components) == "");
     CHECK(editor.quads().held_vertices.empty()); // the dragged vertex has gone with the map
   }
   // A saddle that is cut otherwise takes the textures around it away, and the report says which.
@@ -346,13 +347,14 @@ TEST_CASE("deleted quads are holes, and come back") {
   CHECK(editor.quads().holes == 1);
   CHECK(editor.quads().held_vertices.size() == 4);
   CHECK(editor.quads().components == std::vector<std::pair<int, int>>{{1, 1}});
-  const Result<Stitched_mesh> finished = editor.finished_quads();
+  const Result<Finished_design> finished = editor.finished_quads();
   REQUIRE(bool(finished));
-  CHECK(stages::faults(finished->mesh, editor.input(), finished->valences, finished->components) == "");
-  CHECK(stages::faults(finished->mesh, editor.input(), finished->valences) !=
+  CHECK(stages::faults(finished->quads.mesh, editor.input(), finished->quads.valences,
+                       finished->quads.components) == "");
+  CHECK(stages::faults(finished->quads.mesh, editor.input(), finished->quads.valences) !=
         ""); // a hole that nobody predicted
-  for (int v : finished->held_vertices)
-    CHECK(has_vertex_at(editor.quads(), finished->mesh.points[std::size_t(v)]));
+  for (int v : finished->quads.held_vertices)
+    CHECK(has_vertex_at(editor.quads(), finished->quads.mesh.points[std::size_t(v)]));
   CHECK(editor.quads().mesh.quads.size() == before.quads.size() - 1);
   applied(editor, operation(Operator::restore_quads, {quad}));
   CHECK(bytes_of(editor) == before);
@@ -585,7 +587,7 @@ TEST_CASE("the final relaxation leaves dragged vertices where the user has put t
   REQUIRE(quads.held_vertices.size() == 1);
   const std::size_t v = std::size_t(quads.held_vertices[0]);
   CHECK((quads.mesh.points[v] - to).norm() < 0.02);
-  CHECK(editor.finished_quads()->mesh.points[v] == quads.mesh.points[v]);
+  CHECK(editor.finished_quads()->quads.mesh.points[v] == quads.mesh.points[v]);
   // Its number changes, its place does not.
   applied(editor, operation(Operator::subdivide, {equator}));
   REQUIRE(editor.quads().held_vertices.size() == 1);
@@ -606,13 +608,13 @@ TEST_CASE("a vertex dragged onto a sharp edge, and one dragged off it, stay ther
       REQUIRE(quads.held_vertices.size() == 1);
       const std::size_t v = std::size_t(quads.held_vertices[0]);
       const Point sharp = quads.mesh.points[v];
-      CHECK(editor.finished_quads()->mesh.points[v] == sharp);
+      CHECK(editor.finished_quads()->quads.mesh.points[v] == sharp);
       ++on;
       // A little towards where it came from: near enough to be snapped back, were it not held.
       if (editor.apply(Drag_vertices{{{sharp, -1}}, {sharp + 0.2 * (p.point - sharp), -1}})) {
         quads = editor.quads();
         REQUIRE(quads.held_vertices.size() == 1);
-        CHECK(editor.finished_quads()->mesh.points[v] == quads.mesh.points[v]);
+        CHECK(editor.finished_quads()->quads.mesh.points[v] == quads.mesh.points[v]);
         off += quads.mesh.points[v] != sharp;
         editor.undo();
       }

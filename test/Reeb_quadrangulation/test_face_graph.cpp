@@ -164,8 +164,7 @@ TEST_CASE("named parameters reach the pipeline") {
       mesh, quads,
       parameters::minima(low).maxima(high).number_of_quads(500).quad_chart_map(chart).number_of_threads(1));
   REQUIRE(bool(result));
-  CHECK(result->layout.critical.minima.size() == 1);
-  CHECK(result->layout.critical.maxima.size() == 2);
+  CHECK(result->editor.design().extrema.size() == 3);
   CHECK(std::abs(double(quads.number_of_faces()) - 500) <= 25);
   int number = 0;
   for (const auto f : quads.faces()) CHECK(chart[f] == result->chart_of_quad[number++]);
@@ -494,12 +493,12 @@ TEST_CASE("textures are free inside: their valences are predicted, their rows ne
     INFO((*result ? std::string() : result->error().message));
     REQUIRE(bool(*result));
   }
-  const int charts = int(standard->layout.atlas.charts.size());
+  const int charts = int(standard->editor.design().charts.size());
   CHECK(inset_quads->mesh.quads.size() == standard->mesh.quads.size() + 4 * charts);
   CHECK(inset_quads->valences != standard->valences);
   std::size_t in_annuli = 0;
   for (int q : standard->chart_of_quad)
-    in_annuli += standard->layout.atlas.charts[q]->kind == Chart_kind::annulus;
+    in_annuli += standard->editor.design().charts[q]->chart->kind == Chart_kind::annulus;
   CHECK(rows->mesh.quads.size() == standard->mesh.quads.size() + in_annuli);
   CHECK(flat->mesh.quads.size() < standard->mesh.quads.size());
   for (const Inexact_mesh* mesh : {&a, &b, &c, &d}) CHECK(CGAL::is_closed(*mesh));

@@ -112,13 +112,14 @@ void check_fits(Editor& editor, double at_least) {
 }
 
 Mesh_statistics finished(const Editor& editor) {
-  const Result<Stitched_mesh> quads = editor.finished_quads();
+  const Result<Finished_design> quads = editor.finished_quads();
   REQUIRE(bool(quads));
-  CHECK(stages::faults(quads->mesh, editor.input(), quads->valences, quads->components) == "");
+  CHECK(stages::faults(quads->quads.mesh, editor.input(), quads->quads.valences, quads->quads.components) ==
+        "");
   const Stitched_mesh raw = editor.quads();
   for (int v : raw.held_vertices)
-    CHECK(quads->mesh.points[std::size_t(v)] == raw.mesh.points[std::size_t(v)]);
-  return quad_statistics(quads->mesh, &editor.input());
+    CHECK(quads->quads.mesh.points[std::size_t(v)] == raw.mesh.points[std::size_t(v)]);
+  return quad_statistics(quads->quads.mesh, &editor.input());
 }
 
 } // namespace

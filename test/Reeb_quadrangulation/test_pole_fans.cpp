@@ -85,9 +85,9 @@ TEST_CASE("a sphere with whole poles is closed by two fans, before and after rel
       std::any_of(fans.begin(), fans.end(), [&](const Pole_fan& f) { return int(f.ring.size()) == around; }));
   CHECK(fan_sentence(fans).find("in fans at 2 whole poles, asked for by the design") != std::string::npos);
 
-  const Result<Stitched_mesh> finished = editor.finished_quads();
+  const Result<Finished_design> finished = editor.finished_quads();
   REQUIRE(bool(finished));
-  check_closed(editor, *finished, 2);
+  check_closed(editor, finished->quads, 2);
 
   SECTION("undone, the quads are what they were") {
     editor.undo();
@@ -120,9 +120,9 @@ TEST_CASE("the fan of a surface with a boundary leaves this boundary alone open"
   const Point p = open.working_surface().points[open.design().extrema[0].vertex];
   REQUIRE(bool(open.apply(Split_pole{{p, -1}, Pole_kind::whole, {}})));
   check_certified(open, open.quads(), 1);
-  const Result<Stitched_mesh> finished = open.finished_quads();
+  const Result<Finished_design> finished = open.finished_quads();
   REQUIRE(bool(finished));
-  check_certified(open, *finished, 1);
+  check_certified(open, finished->quads, 1);
 }
 
 TEST_CASE("a locked cap keeps its pole") {

@@ -33,9 +33,9 @@ Stitched_mesh finished(const Triangle_surface& surface, const Recipe& recipe) {
   Result<Editor> editor = Editor::create(surface, recipe.options);
   REQUIRE(bool(editor));
   REQUIRE(recipes::replay(*editor, recipe.edits) == "");
-  Result<Stitched_mesh> quads = editor->finished_quads();
+  Result<Finished_design> quads = editor->finished_quads();
   REQUIRE(bool(quads));
-  return std::move(*quads);
+  return std::move(quads->quads);
 }
 
 } // namespace

@@ -50,9 +50,9 @@ Polygon_soup replayed(const std::string& mesh, const std::string& recipe_text) {
   Result<Editor> editor = Editor::create(std::move(surface), recipe.options);
   REQUIRE(editor);
   for (const Edit& edit : recipe.edits) REQUIRE(editor->apply(edit));
-  const Result<Stitched_mesh> quads = editor->finished_quads();
-  REQUIRE(quads);
-  return with_fans(quads->mesh, pole_fans(editor->design(), *quads));
+  const Result<Finished_design> finished = editor->finished_quads();
+  REQUIRE(bool(finished));
+  return with_fans(finished->quads.mesh, pole_fans(editor->design(), finished->quads));
 }
 
 /// One mesh after the other.

@@ -7,6 +7,7 @@
 #include <CGAL/Reeb_quadrangulation/Texture_place.h>
 #include <CGAL/Reeb_quadrangulation/place_texture.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -61,14 +62,31 @@ struct Design_chart {
 /// point (V, U).
 Surface_point surface_point(const Design_chart& chart, const Texture_place& place);
 
+/// The field on the whole surface that contours were last traced from. Contours that were edited since are no level lines of it.
+struct Surface_field {
+  std::vector<double> values;    ///< per vertex, without extrema that are not wanted; see `remove_extrema()`
+  int cleanup_rounds = 0;        ///< that this took
+  std::vector<int> lost_extrema; ///< vertices that were suggested as extrema, and are none
+};
+
+/// How well the counts meet what was asked for.
+struct Count_report {
+  std::int64_t quads = 0; ///< of the regular textures
+  bool target_met = true; ///< within 5 % of the target, if there is one
+  double worst_ratio = 1; ///< see `Sampling::worst_ratio`
+  int worst_edge = -1;    ///< the contour edge where it occurs
+};
+
 /// The state of a design: everything that the quad mesh follows from.
 struct Design {
   Contour_network network;
   std::vector<Design_extremum> extrema; ///< by increasing vertex
   Contour_samples samples;
-  int target_quads = 0;   ///< as last asked for; 0 if an edge length was
-  double edge_length = 0; ///< of the quads, as the counts have been chosen for
-  int next_chart = 0;     ///< the identity that the next chart gets
+  Count_report counts;
+  std::shared_ptr<const Surface_field> field; ///< none in the first design
+  int target_quads = 0;                       ///< as last asked for; 0 if an edge length was
+  double edge_length = 0;                     ///< of the quads, as the counts have been chosen for
+  int next_chart = 0;                         ///< the identity that the next chart gets
   std::vector<std::shared_ptr<const Design_chart>> charts; ///< parallel to the atlas's
   Atlas atlas;                                             ///< without `chart_of_face`; see `embed_design()`
 

@@ -41,10 +41,12 @@ enum class Enforcement : signed char {
 /// Points of extrema mean the nearest vertex, except those that name an existing extremum: the nearest one.
 /// @{
 
-/// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`.
+/// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`. Suggested extrema that the field turns out not to have
+/// are left out.
 struct Suggest {
   double persistence = 0.08;
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
+  bool collapse_thin = false; ///< then does what `Collapse_thin_charts` does, before any count is chosen
 };
 /// Places all extrema by hand and designs the whole field anew.
 struct Set_extrema {
@@ -54,6 +56,9 @@ struct Set_extrema {
     double value = -1; ///< in [0, 1]; negative: 0 for a minimum, 1 for a maximum
   };
   std::vector<Extremum> extrema;
+  /// Boundary loops are minima or maxima as in the design before, else as `Suggest` makes them with this axis.
+  Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
+  bool collapse_thin = false; ///< see `Suggest`
 };
 /// Adds an extremum. In a chart its value is `strength`, in (0, 1), of the way to where it would break a contour around it.
 struct Add_extremum {
@@ -127,7 +132,7 @@ struct Align_saddles {
 struct Collapse_chart {
   Surface_point at;
 };
-/// Collapses the charts that are thinner than half a quad, the thinnest first, as long as charts result.
+/// Collapses the annuli between saddles that are thinner than half a quad, the thinnest first, as long as charts result.
 struct Collapse_thin_charts {};
 /// @}
 

@@ -6,7 +6,8 @@
 #include <CGAL/Reeb_quadrangulation/Edit.h>
 #include <CGAL/Reeb_quadrangulation/Editor_options.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
-#include <CGAL/Reeb_quadrangulation/finish_quads.h>
+#include <CGAL/Reeb_quadrangulation/finish_design.h>
+#include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include <memory>
@@ -22,7 +23,8 @@ struct Edit_report {
   std::vector<int> lost_textures; ///< removed charts whose edited texture no other chart took over
   std::vector<int> new_contours, removed_contours; ///< contour edges
   std::vector<int> changed_counts;                 ///< kept contour edges with another count
-  double seconds = 0;                              ///< wall time
+  int collapsed_charts = 0; ///< thin charts that the edit collapsed, see `Suggest::collapse_thin`
+  double seconds = 0;       ///< wall time
 };
 
 /// An editing session: a design and its history.
@@ -62,6 +64,7 @@ public:
   const Triangle_surface& input() const;           ///< as given
   const Triangle_surface& working_surface() const; ///< that the design lives on
   const Editor_options& options() const;
+  const Prepare_report& preparation() const; ///< how the working surface was made
 
   /// The chart of the design that contains a point, or -1.
   int chart_at(const Surface_point& point) const;
@@ -69,9 +72,9 @@ public:
   /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads); a copy where the last edit had to
   /// stitch them already, to see that edited textures meet.
   Stitched_mesh quads() const;
-  /// The same, relaxed on the input surface with its features kept, as `quadrangulate()` ends.
-  Result<Stitched_mesh> finished_quads(const Relax_options& relaxation = {},
-                                       const Snap_options& features = {}, Observer* observer = nullptr) const;
+  /// The same, finished on the input surface, by as many threads as the session has; see `finish_design()`. Refused if the design is empty.
+  Result<Finished_design> finished_quads(const Finish_options& options = {},
+                                         Observer* observer = nullptr) const;
 
 private:
   struct Implementation;

@@ -2,16 +2,40 @@
 #ifndef CGAL_REEB_QUADRANGULATION_EDITOR_OPTIONS_H
 #define CGAL_REEB_QUADRANGULATION_EDITOR_OPTIONS_H
 
+#include <CGAL/Reeb_quadrangulation/Atlas.h>
+#include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
+#include <CGAL/Reeb_quadrangulation/Quad_texture.h>
+
+#include <functional>
+
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Options of an editing session. They are part of what a recipe depends on.
+/// Options of the engine that designs are made by: of an editing session, and of an automatic run, which is one. A recipe keeps them, but
+/// for functions and for what changes no result.
 struct Editor_options {
-  int quads = 3000;       ///< of the first design; later `Set_target` edits change it
-  double edge_length = 0; ///< used instead if positive
-  bool prepare = true;    ///< work on a refined copy where the surface is coarse; see `prepare_surface()`
+  /// Of the first design; later `Set_target` edits change it.
+  int quads = 3000;
+  /// The length of the quads' edges, in units of the surface; used instead of `quads` if positive.
+  double edge_length = 0;
+  /// Work on a refined copy where the surface is coarse or its triangles are needles; see `prepare_surface()`.
+  bool prepare = true;
+  /// Samples of contours by arc length (0) to samples by flux (1).
   double sample_blend = 0.5;
-  int threads = 0; ///< charts solved at once; 0 = as many as the machine has. Results do not depend on it
+  /// Of the field on the whole surface; charts always use positive weights.
+  Weight_kind weights = Weight_kind::cotangent;
+  /// How that field meets its values.
+  Constraint_method constraints = Constraint_method::elimination;
+  /// The weights of a chart's map; empty: clamped cotangents. Called from several threads at once. A recipe does not keep them.
+  std::function<Edge_weights(const Chart&)> chart_weights = {};
+  /// How charts are filled that no edit has given a texture; empty: regular grids. Called from several threads at once. A recipe does not
+  /// keep it.
+  Texture_maker textures = {};
+  /// Whether the first field's factorization is kept, so that the next field on the whole surface is solved in less time, for twice the
+  /// memory. Results do not depend on it.
+  bool keep_factorization = true;
+  /// Charts solved at once; 0 = as many as the machine has. Results do not depend on it.
+  int threads = 0;
 };
 
 } // namespace Reeb_quadrangulation

@@ -21,6 +21,14 @@ public:
   virtual bool cancelled() const { return false; }
 };
 
+/// One stage of a run, as it was measured.
+struct Stage_time {
+  std::string name;
+  double seconds = 0;        ///< wall time
+  double cpu_seconds = 0;    ///< of all threads
+  double peak_megabytes = 0; ///< resident, of the process so far
+};
+
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
 

@@ -23,6 +23,10 @@ struct Finished_quads {
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation = {}, const Snap_options& features = {},
                                     Observer* observer = nullptr, const std::vector<int>& held = {});
+/// The same on the surface of a projector, which may serve several meshes.
+Result<Finished_quads> finish_quads(Quad_mesh mesh, const Surface_projector& projector,
+                                    const Relax_options& relaxation = {}, const Snap_options& features = {},
+                                    Observer* observer = nullptr, const std::vector<int>& held = {});
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

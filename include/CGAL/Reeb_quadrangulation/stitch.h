@@ -37,10 +37,6 @@ Result<Stitched_mesh> stitch_textures(const std::vector<Point>& points, const Co
                                       const std::vector<const Placed_texture*>& textures,
                                       const T_junction_options& options = {});
 
-/// Joins the placed textures by identity of their samples. \pre The textures' sides have the samples' numbers.
-Stitched_mesh stitch(const std::vector<Point>& points, const Contour_network& network, const Atlas& atlas,
-                     const Contour_samples& samples, const std::vector<const Placed_texture*>& textures);
-
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
 

@@ -3,7 +3,6 @@
 #include "design/draft.h"
 #include "design/pole_texture.h"
 
-#include "base/parallel_for.h"
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/layout_sampling.h>
 #include <CGAL/Reeb_quadrangulation/place_texture.h>
@@ -18,19 +17,23 @@ namespace {
 
 class Completion {
 public:
-  explicit Completion(Draft& draft) : m_draft(draft), m_before(draft.before()) {
-    m_threads = internal::number_of_threads(draft.options().threads);
-  }
+  explicit Completion(Draft& draft) : m_draft(draft), m_before(draft.before()) {}
 
   Result<Design> run() {
     take_over();
     if (Result<void> kept = keep_locked(); !kept) return kept.error();
-    if (Result<void> done = prepare_maps(); !done) return done.error();
-    if (Result<void> done = sample(); !done) return done.error();
-    if (Result<void> done = place(); !done) return done.error();
+    using Step = Result<void> (Completion::*)();
+    const std::pair<const char*, Step> steps[] = {{"charts", &Completion::prepare_maps},
+                                                  {"sampling", &Completion::sample},
+                                                  {"textures", &Completion::place}};
+    for (const auto& [stage, step] : steps) {
+      if (Result<void> going_on = m_draft.begin(stage); !going_on) return going_on.error();
+      if (Result<void> done = (this->*step)(); !done) return done.error();
+    }
     m_design.atlas = m_draft.atlas();
     m_design.network = std::move(m_draft.network);
     m_design.extrema = std::move(m_draft.extrema);
+    m_design.field = m_draft.field;
     return std::move(m_design);
   }
 
@@ -39,7 +42,6 @@ private:
   const Design_chart* old_chart(int c) const {
     return m_draft.origin(c) >= 0 ? m_before.charts[m_draft.origin(c)].get() : nullptr;
   }
-  bool cancelled() const { return m_draft.observer() && m_draft.observer()->cancelled(); }
 
   // Settings of the charts that stay; the others begin afresh.
   void take_over() {
@@ -72,34 +74,7 @@ private:
     return {};
   }
 
-  template <class Work> Result<void> for_each(const std::vector<int>& charts, const Work& work) {
-    std::vector<int> order = charts; // the largest first, so that two threads end together
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      const int fa = m_draft.chart(a).mesh.number_of_faces(), fb = m_draft.chart(b).mesh.number_of_faces();
-      return fa != fb ? fa > fb : a < b;
-    });
-    std::vector<Result<void>> done(order.size());
-    internal::parallel_for(int(order.size()), m_threads, [&](int i) {
-      if (cancelled())
-        done[i] = make_error(Error_code::cancelled, "cancelled by the user");
-      else
-        done[i] = work(order[i]);
-    });
-    for (Result<void>& result : done)
-      if (!result) return result;
-    return {};
-  }
-
-  Result<void> prepare_maps() {
-    std::vector<int> missing;
-    for (int c = 0; c < number_of_charts(); ++c)
-      if (!m_draft.has_map(c)) missing.push_back(c);
-    return for_each(missing, [&](int c) -> Result<void> {
-      if (Result<std::shared_ptr<const Chart_parameterization>> map = m_draft.map(c); !map)
-        return map.error();
-      return {};
-    });
-  }
+  Result<void> prepare_maps() { return m_draft.prepare_maps(); }
 
   const Chart_parameterization& map(int c) { return **m_draft.map(c); }
 
@@ -124,6 +99,8 @@ private:
                                     : sample_layout(layout.problem, h, options);
     if (!sampling) return sampling.error();
     if (Result<void> few = check_number(*sampling); !few) return few.error();
+    m_design.counts = {sampling->quads, sampling->target_met, sampling->worst_ratio,
+                       sampling->worst_edge < 0 ? -1 : layout.edges[std::size_t(sampling->worst_edge)]};
     m_design.edge_length = sampling->edge_length;
     m_design.samples.counts.assign(m_draft.network.edges.size(), 0);
     for (std::size_t i = 0; i < layout.edges.size(); ++i)
@@ -132,10 +109,11 @@ private:
     return {};
   }
 
-  // Layouts in which one count forces others may need many more quads than the edge length asks for.
+  // Layouts in which one count forces others may need many more quads than the edge length asks for. Where all
+  // counts are chosen anew, they are the fewest that the layout can have.
   Result<void> check_number(const Sampling& sampling) const {
     constexpr double few = 1e4;
-    if (double(sampling.quads) <= few) return {};
+    if (double(sampling.quads) <= few || m_draft.resample) return {};
     const double expected = area(m_draft.surface()) / (sampling.edge_length * sampling.edge_length);
     if (double(sampling.quads) <= few + 30 * expected) return {};
     return refuse("the counts would need too many quads", std::to_string(sampling.quads));
@@ -191,7 +169,7 @@ private:
       else
         changed.push_back(c);
     }
-    return for_each(changed, [&](int c) { return fill(c); });
+    return m_draft.for_each_chart(changed, [&](int c) { return fill(c); });
   }
 
   // The user's texture stays in its place, whatever the counts around it are now.
@@ -204,7 +182,7 @@ private:
   }
 
   Texture_maker disc_maker(const Chart& chart) const {
-    Texture_maker maker;
+    Texture_maker maker = m_draft.options().textures;
     for (const Design_extremum& e : m_draft.extrema)
       if (chart.extremum >= 0 && chart.vertex_origin[chart.extremum] == e.vertex &&
           e.pole == Pole_kind::whole)
@@ -236,7 +214,7 @@ private:
     }
     Result<Placed_texture> placed =
         chart.kind == Chart_kind::annulus
-            ? place_annulus(chart, m_design.samples, grid[1], solved, {}, placement)
+            ? place_annulus(chart, m_design.samples, grid[1], solved, m_draft.options().textures, placement)
             : place_disc(chart, m_design.samples, grid[0], grid[1], solved, disc_maker(chart), placement);
     if (!placed) return placed.error();
     made->texture = std::move(*placed);
@@ -248,7 +226,6 @@ private:
   Draft& m_draft;
   const Design& m_before;
   Design m_design;
-  int m_threads = 1;
   std::vector<int> m_ids;
   std::vector<Chart_settings> m_settings;
   std::vector<double> m_heights;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/draft.h"
 
+#include "base/parallel_for.h"
 #include "base/segments.h"
 
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
@@ -14,26 +15,40 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-Surface_solver::Surface_solver(const Triangle_surface& surface, int threads)
-    : m_surface(surface), m_field(surface) {
-  m_field.set_incremental(true);
-  m_field.set_threads(threads);
+Surface_solver::Surface_solver(const Triangle_surface& surface, const Editor_options& options)
+    : m_surface(surface), m_options(options) {}
+
+Harmonic_field Surface_solver::new_field() const {
+  Harmonic_field field(m_surface);
+  field.set_weights(m_options.weights);
+  field.set_method(m_options.constraints);
+  field.set_threads(internal::number_of_threads(m_options.threads));
+  return field;
 }
 
 Result<void> Surface_solver::solve(Designed_field& field) {
-  Result<void> solved = solve_field(m_surface, m_field, field);
-  if (m_order.empty()) {
-    m_order = m_field.elimination_order();
+  const bool first = m_order.empty();
+  std::optional<Harmonic_field> for_once;
+  if (first && !m_options.keep_factorization) {
+    for_once.emplace(new_field());
+  } else if (!m_field) {
+    m_field.emplace(new_field());
+    m_field->set_incremental(true);
+  }
+  Harmonic_field& solver = for_once ? *for_once : *m_field;
+  Result<void> solved = solve_field(m_surface, solver, field);
+  if (first) {
+    m_order = solver.elimination_order();
     m_places = places_in(m_order);
   }
   return solved;
 }
 
-Draft::Draft(const Triangle_surface& surface, const Surface_projector& projector, Surface_solver& solver,
-             const Design& design, const Editor_options& options, Observer* observer)
+Draft::Draft(const Triangle_surface& surface, const internal::Lazy_projector& projector,
+             Surface_solver& solver, const Design& design, const Editor_options& options, Observer* observer)
     : network(design.network), extrema(design.extrema), target_quads(design.target_quads),
-      edge_length(design.edge_length), m_surface(surface), m_projector(projector), m_solver(solver),
-      m_before(design), m_options(options), m_observer(observer), m_atlas(design.atlas) {
+      edge_length(design.edge_length), field(design.field), m_surface(surface), m_projector(projector),
+      m_solver(solver), m_before(design), m_options(options), m_observer(observer), m_atlas(design.atlas) {
   remember_contours();
   for (std::size_t c = 0; c < design.charts.size(); ++c) {
     settings[design.charts[c]->id] = design.charts[c]->settings;
@@ -125,6 +140,8 @@ void Draft::take(Draft&& other) {
   resample = other.resample;
   reset_textures = std::move(other.reset_textures);
   replaced = std::move(other.replaced);
+  field = std::move(other.field);
+  collapsed_charts = other.collapsed_charts;
   m_atlas = std::move(other.m_atlas);
   m_was_cut = std::move(other.m_was_cut);
   m_maps = std::move(other.m_maps);
@@ -133,6 +150,11 @@ void Draft::take(Draft&& other) {
 
 void Draft::adopt(Reeb_layout layout) {
   network = std::move(layout.network);
+  auto traced = std::make_shared<Surface_field>();
+  traced->values = std::move(layout.values);
+  traced->cleanup_rounds = layout.cleanup_rounds;
+  traced->lost_extrema = std::move(layout.lost_extrema);
+  field = std::move(traced);
   m_atlas = std::move(layout.atlas);
   m_atlas.chart_of_face.clear();
   remember_contours();
@@ -142,10 +164,48 @@ void Draft::adopt(Reeb_layout layout) {
   resample = true;
 }
 
+Result<void> Draft::begin(const char* stage) const {
+  if (!m_observer) return {};
+  m_observer->progress(stage, 0);
+  if (m_observer->cancelled()) return make_error(Error_code::cancelled, "cancelled by the user");
+  return {};
+}
+
+Result<void> Draft::for_each_chart(const std::vector<int>& charts,
+                                   const std::function<Result<void>(int)>& work) const {
+  std::vector<int> order(charts.size()); // places in the list
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
+  const auto faces = [&](int i) { return chart(charts[std::size_t(i)]).mesh.number_of_faces(); };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return faces(a) > faces(b); });
+  std::vector<Result<void>> done(charts.size());
+  internal::parallel_for(int(order.size()), internal::number_of_threads(m_options.threads), [&](int i) {
+    const std::size_t place = std::size_t(order[std::size_t(i)]);
+    if (m_observer && m_observer->cancelled())
+      done[place] = make_error(Error_code::cancelled, "cancelled by the user");
+    else
+      done[place] = work(charts[place]);
+  });
+  for (Result<void>& result : done)
+    if (!result) return result;
+  return {};
+}
+
+Result<void> Draft::prepare_maps() {
+  std::vector<int> missing;
+  for (int c = 0; c < int(m_maps.size()); ++c)
+    if (!has_map(c)) missing.push_back(c);
+  return for_each_chart(missing, [&](int c) -> Result<void> {
+    if (const auto prepared = map(c); !prepared) return prepared.error();
+    return {};
+  });
+}
+
 Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
   if (!m_maps[c]) {
-    Result<Chart_parameterization> map = Chart_parameterization::prepare(
-        chart(c), clamped_cotangent_weights(chart(c).mesh), order_of(chart(c)));
+    Edge_weights weights = m_options.chart_weights ? m_options.chart_weights(chart(c))
+                                                   : clamped_cotangent_weights(chart(c).mesh);
+    Result<Chart_parameterization> map =
+        Chart_parameterization::prepare(chart(c), std::move(weights), order_of(chart(c)));
     if (!map) return map.error();
     m_maps[c] = std::make_shared<const Chart_parameterization>(std::move(*map));
   }
@@ -165,13 +225,28 @@ Result<Chart_parameterization> Draft::naturally_solved_map(int c) {
 int Draft::vertex_at(const Surface_point& at) const {
   if (at.vertex >= 0 && at.vertex < m_surface.number_of_vertices() && m_surface.points[at.vertex] == at.point)
     return at.vertex;
-  const int face = m_projector.closest(at.point).face;
+  const int face = m_projector->closest(at.point).face;
   const Triangle& t = m_surface.triangles[face];
   return *std::min_element(t.begin(), t.end(), [&](int a, int b) {
     const double da = (m_surface.points[a] - at.point).squaredNorm(),
                  db = (m_surface.points[b] - at.point).squaredNorm();
     return da != db ? da < db : a < b;
   });
+}
+
+int Draft::inner_vertex_at(const Surface_point& at) const {
+  const auto is_inner = [&](int v) {
+    return m_surface.outgoing[v] >= 0 && !m_surface.is_boundary(m_surface.outgoing[v]);
+  };
+  int best = vertex_at(at);
+  if (at.vertex >= 0 || is_inner(best)) return best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int v = 0; v < m_surface.number_of_vertices(); ++v)
+    if (const double d = (m_surface.points[v] - at.point).squaredNorm(); d < least && is_inner(v)) {
+      least = d;
+      best = v;
+    }
+  return best;
 }
 
 int Draft::chart_of_vertex(int vertex) const {
@@ -205,7 +280,7 @@ int Draft::chart_at(const Surface_point& at) const {
 }
 
 Chart_point Draft::chart_point_at(const Point& point, int only) const {
-  const Closest_point closest = m_projector.closest(point);
+  const Closest_point closest = m_projector->closest(point);
   Chart_point best;
   double inside = -std::numeric_limits<double>::infinity();
   for (int c = only < 0 ? 0 : only; c < (only < 0 ? int(m_atlas.charts.size()) : only + 1); ++c) {

@@ -4,17 +4,19 @@
 #define REEBQUAD_DESIGN_DRAFT_H
 
 #include "base/refusal.h"
+#include "surface/lazy_projector.h"
 
 #include <CGAL/Reeb_quadrangulation/Design.h>
 #include <CGAL/Reeb_quadrangulation/Editor_options.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
-#include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,11 +24,12 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The harmonic fields of a whole surface: the factorization and the order of elimination stay from edit to edit, which changes no
-/// bit of the results.
+/// The harmonic fields of a whole surface. The order of elimination stays from edit to edit, and the factorization if
+/// `Editor_options::keep_factorization` says so, which changes no bit of the results.
 class Surface_solver {
 public:
-  Surface_solver(const Triangle_surface& surface, int threads);
+  /// Keeps references.
+  Surface_solver(const Triangle_surface& surface, const Editor_options& options);
   /// Fills in a field as `solve_field()` does.
   Result<void> solve(Designed_field& field);
   /// The vertices in the order of elimination of the first field, and their places in it; empty before that.
@@ -34,8 +37,11 @@ public:
   const std::vector<int>& places() const { return m_places; }
 
 private:
+  Harmonic_field new_field() const;
+
   const Triangle_surface& m_surface;
-  Harmonic_field m_field;
+  const Editor_options& m_options;
+  std::optional<Harmonic_field> m_field;
   std::vector<int> m_order, m_places;
 };
 
@@ -50,7 +56,7 @@ struct Chart_point {
 /// refused.
 class Draft {
 public:
-  Draft(const Triangle_surface& surface, const Surface_projector& projector, Surface_solver& solver,
+  Draft(const Triangle_surface& surface, const internal::Lazy_projector& projector, Surface_solver& solver,
         const Design& design, const Editor_options& options, Observer* observer);
 
   const Triangle_surface& surface() const { return m_surface; }
@@ -67,6 +73,8 @@ public:
   bool resample = false;        ///< choose all counts anew for the target, not near the old ones
   std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
   std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
+  std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
+  int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
 
   /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
   Result<void> cut();
@@ -81,6 +89,14 @@ public:
 
   /// The vertices of a chart as its systems eliminate them.
   std::vector<int> order_of(const Chart& chart) const { return elimination_order(chart, m_solver.places()); }
+  /// Prepares the maps that charts do not have yet, several at once.
+  Result<void> prepare_maps();
+  /// Calls `work(c)` for charts, several at once, the largest first, so that two threads end together; returns the first error in the order of
+  /// the list. Fails with `cancelled` where the observer asks for it.
+  Result<void> for_each_chart(const std::vector<int>& charts,
+                              const std::function<Result<void>(int)>& work) const;
+  /// Tells the observer that a stage begins; fails with `cancelled` if it asks to stop.
+  Result<void> begin(const char* stage) const;
   /// The map of a chart, prepared.
   Result<std::shared_ptr<const Chart_parameterization>> map(int c);
   /// The map of an annulus, solved for its natural V.
@@ -90,6 +106,8 @@ public:
   /// \name Elements that points mean
   /// @{
   int vertex_at(const Surface_point& point) const;
+  /// The same where a new extremum may be: without a hint, the nearest vertex that is not on the boundary.
+  int inner_vertex_at(const Surface_point& point) const;
   int chart_at(const Surface_point& point) const;
   /// The nearest point of the surface, in the chart that contains it, or in the one given.
   Chart_point chart_point_at(const Point& point, int chart = -1) const;
@@ -112,7 +130,7 @@ private:
   std::vector<int> changed_charts() const;
   void remember_contours();
   const Triangle_surface& m_surface;
-  const Surface_projector& m_projector;
+  const internal::Lazy_projector& m_projector;
   Surface_solver& m_solver;
   const Design& m_before;
   const Editor_options& m_options;
@@ -133,8 +151,16 @@ Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const 
                              Chart_parameterization map, Design_chart& made);
 
 /// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads of locked charts are not split.
-Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surface_projector& projector,
-                                    const Design& design);
+Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
+                                    const internal::Lazy_projector& projector, const Design& design);
+
+/// Joins the saddles on both sides of every annulus that is lower than half a quad, the lowest first, as long as charts result; counts in
+/// `Draft::collapsed_charts`. A quad is as large as the draft's target makes it if its counts are to be chosen anew, else as before. Fails
+/// only as maps and counts do, or with `cancelled`.
+Result<void> collapse_thin_charts(Draft& draft);
+
+/// Joins the saddles around an annulus on one contour. Fails with `refused_edit`.
+Result<void> collapse_chart(Draft& draft, int chart);
 
 /// Samples, maps and fills what the draft has new, and makes it a design. Fails like an edit.
 Result<Design> complete_design(Draft& draft);

@@ -13,8 +13,8 @@ bool has_edited_texture(const Design& design) {
                      [](const std::shared_ptr<const Design_chart>& chart) { return chart->edited; });
 }
 
-Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surface_projector& projector,
-                                    const Design& design) {
+Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
+                                    const internal::Lazy_projector& projector, const Design& design) {
   std::vector<const Placed_texture*> textures;
   T_junction_options options;
   for (const auto& chart : design.charts) {
@@ -38,7 +38,7 @@ Result<Stitched_mesh> stitch_design(const Triangle_surface& surface, const Surfa
     return refuse("quads of neighbouring charts would be folded onto each other", {}, Element_kind::chart,
                   design.charts[std::size_t(stitched->chart_of_quad[std::size_t(q)])]->id);
   for (int v : stitched->interpolated)
-    stitched->mesh.points[v] = projector.closest(stitched->mesh.points[v]).point;
+    stitched->mesh.points[v] = projector->closest(stitched->mesh.points[v]).point;
   return stitched;
 }
 

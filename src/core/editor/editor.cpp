@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 
+#include "base/parallel_for.h"
 #include "design/pole_texture.h"
 #include "edits/steps.h"
 
-#include "base/parallel_for.h"
+#include "surface/lazy_projector.h"
 
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 
@@ -77,7 +78,13 @@ Result<Design> next_design(Draft& draft, const Fit_texture& edit) {
 struct Changed {
   Design design;
   std::optional<Stitched_mesh> quads;
+  int collapsed_charts = 0;
 };
+
+// Whether charts are filled in a way that neighbours may not meet.
+bool has_own_textures(const Texture_maker& maker) {
+  return maker.levels || maker.annulus || maker.disc;
+}
 
 bool has_whole_pole(const Design& design) {
   return std::any_of(design.extrema.begin(), design.extrema.end(),
@@ -95,21 +102,25 @@ struct Editor::Implementation {
     if (design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
         !std::holds_alternative<Set_extrema>(edit))
       return refuse("the design is empty", "place extrema first");
-    Draft draft(working, *projector, *solver, design(), options, observer);
+    Draft draft(working, projector, solver, design(), options, observer);
     Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
     if (!next) return next.error();
-    if (!has_edited_texture(*next) && !has_whole_pole(*next)) return Changed{std::move(*next), {}};
-    Result<Stitched_mesh> stitched = stitch_design(working, *projector, *next);
+    const int collapsed = draft.collapsed_charts;
+    const bool may_fail =
+        has_edited_texture(*next) || has_whole_pole(*next) || has_own_textures(options.textures);
+    if (!may_fail) return Changed{std::move(*next), {}, collapsed};
+    Result<Stitched_mesh> stitched = stitch_design(working, projector, *next);
     if (!stitched) return stitched.error();
     if (has_whole_pole(*next) && !has_all_fans(*next, *stitched))
       return refuse("the ring around a whole pole is none that a fan could fill");
-    return Changed{std::move(*next), std::move(*stitched)};
+    return Changed{std::move(*next), std::move(*stitched), collapsed};
   }
 
   Triangle_surface input, working;
   Editor_options options;
-  std::unique_ptr<Surface_projector> projector; // of the working surface
-  std::unique_ptr<Surface_solver> solver;       // of the same
+  Prepare_report preparation;
+  internal::Lazy_projector projector{working}, input_projector{input};
+  mutable Surface_solver solver{working, options};
   std::vector<std::shared_ptr<const Design>> states;
   std::vector<Edit> edits; // edit i leads from state i to state i + 1
   int position = 0;
@@ -136,18 +147,17 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
   const double h =
       options.edge_length > 0 ? options.edge_length : std::sqrt(area(editor->input) / options.quads);
   if (options.prepare) {
+    if (observer) observer->progress("prepare", 0);
     Prepare_options prepare;
     prepare.max_edge = h;
     prepare.min_edge = 1e-3 * h;
     Result<Prepared_surface> prepared = prepare_surface(editor->input, prepare, observer);
     if (!prepared) return prepared.error();
     editor->working = std::move(prepared->surface);
+    editor->preparation = prepared->report;
   } else {
     editor->working = editor->input;
   }
-  editor->projector = std::make_unique<Surface_projector>(editor->working);
-  editor->solver =
-      std::make_unique<Surface_solver>(editor->working, internal::number_of_threads(options.threads));
   Design first;
   first.network.surface_vertices = editor->working.number_of_vertices();
   first.target_quads = options.edge_length > 0 ? 0 : options.quads;
@@ -163,6 +173,7 @@ Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   if (!changed) return changed.error();
   const auto state = std::make_shared<const Design>(std::move(changed->design));
   Edit_report report = differences(m.design(), *state);
+  report.collapsed_charts = changed->collapsed_charts;
   m.states.resize(m.position + 1);
   m.edits.resize(m.position);
   m.states.push_back(state);
@@ -226,29 +237,31 @@ const Editor_options& Editor::options() const {
   return m_implementation->options;
 }
 
+const Prepare_report& Editor::preparation() const {
+  return m_implementation->preparation;
+}
+
 int Editor::chart_at(const Surface_point& point) const {
   const Implementation& m = *m_implementation;
-  return Draft(m.working, *m.projector, *m.solver, m.design(), m.options, nullptr).chart_at(point);
+  return Draft(m.working, m.projector, m.solver, m.design(), m.options, nullptr).chart_at(point);
 }
 
 Stitched_mesh Editor::quads() const {
   const Design& d = design();
   if (d.charts.empty()) return {};
   if (m_implementation->stitched_design.get() == &d) return m_implementation->stitched_quads;
-  Result<Stitched_mesh> stitched = stitch_design(working_surface(), *m_implementation->projector, d);
+  Result<Stitched_mesh> stitched = stitch_design(working_surface(), m_implementation->projector, d);
   CGAL_assertion(bool(stitched)); // else the edit would have been refused
   return std::move(*stitched);
 }
 
-Result<Stitched_mesh> Editor::finished_quads(const Relax_options& relaxation, const Snap_options& features,
-                                             Observer* observer) const {
+Result<Finished_design> Editor::finished_quads(const Finish_options& options, Observer* observer) const {
+  if (observer) observer->progress("stitching", 0);
   Stitched_mesh stitched = quads();
   if (stitched.mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
-  Result<Finished_quads> finished =
-      finish_quads(std::move(stitched.mesh), input(), relaxation, features, observer, stitched.held_vertices);
-  if (!finished) return finished.error();
-  stitched.mesh = std::move(finished->mesh);
-  return stitched;
+  Finish_options with_threads = options;
+  with_threads.relaxation.threads = internal::number_of_threads(m_implementation->options.threads);
+  return finish_design(std::move(stitched), *m_implementation->input_projector, with_threads, observer);
 }
 
 } // namespace Reeb_quadrangulation

@@ -31,9 +31,12 @@ template <class F> void fields(F& f, Set_extrema::Extremum& e) {
 template <class F> void fields(F& f, Suggest& e) {
   f.optional("persistence", e.persistence);
   f.optional("axis", e.axis);
+  f.optional("collapse_thin", e.collapse_thin);
 }
 template <class F> void fields(F& f, Set_extrema& e) {
   f("extrema", e.extrema);
+  f.optional("axis", e.axis);
+  f.optional("collapse_thin", e.collapse_thin);
 }
 template <class F> void fields(F& f, Add_extremum& e) {
   f("at", e.at);
@@ -173,6 +176,15 @@ template <class F> void fields(F& f, Editor_options& o) {
   f.optional("edge_length", o.edge_length);
   f.optional("prepare", o.prepare);
   f.optional("sample_blend", o.sample_blend);
+  f.optional("weights", o.weights);
+  f.optional("constraints", o.constraints);
+}
+template <class F> void fields(F& f, Finish_options& o) {
+  f.optional("relax", o.relax);
+  f.optional("feature_angle", o.features.feature_angle);
+  f.optional("feature_lines", o.features.lines);
+  f.optional("adaptive_ratio", o.adaptive.ratio);
+  f.optional("adaptive_quads", o.adaptive.quads);
 }
 /// @}
 
@@ -181,6 +193,12 @@ template <> struct Names<Edit_scope> { static constexpr const char* of[] = {"cha
 template <> struct Names<Enforcement> { static constexpr const char* of[] = {"contour", "field"}; };
 template <> struct Names<Pole_kind> { static constexpr const char* of[] = {"whole", "half", "quarter"}; };
 template <> struct Names<Saddle_kind> { static constexpr const char* of[] = {"half", "quarter"}; };
+template <> struct Names<Weight_kind> {
+  static constexpr const char* of[] = {"cotangent", "clamped_cotangent", "uniform"};
+};
+template <> struct Names<Constraint_method> {
+  static constexpr const char* of[] = {"elimination", "penalty"};
+};
 template <> struct Names<Falloff> { static constexpr const char* of[] = {"constant", "linear", "smooth"}; };
 template <> struct Names<Texture_operator> {
   static constexpr const char* of[] = {
@@ -371,8 +389,13 @@ std::string to_json(const Recipe& recipe) {
   Writer writer(options);
   Editor_options copy = recipe.options;
   fields(writer, copy);
+  Json finish = Json::object();
+  Writer finish_writer(finish);
+  Finish_options finish_copy = recipe.finish;
+  fields(finish_writer, finish_copy);
   if (recipe.component > 0) text += "  \"component\": " + std::to_string(recipe.component) + ",\n";
-  text += "  \"options\": " + options.dump() + ",\n  \"edits\": [";
+  if (recipe.fill_holes > 0) text += "  \"fill_holes\": " + std::to_string(recipe.fill_holes) + ",\n";
+  text += "  \"options\": " + options.dump() + ",\n  \"finish\": " + finish.dump() + ",\n  \"edits\": [";
   for (std::size_t i = 0; i < recipe.edits.size(); ++i)
     text += (i == 0 ? "\n    " : ",\n    ") + to_json(recipe.edits[i]);
   return text + (recipe.edits.empty() ? "]\n}\n" : "\n  ]\n}\n");
@@ -389,7 +412,7 @@ Result<Recipe> recipe_from_json(const std::string& text) {
     for (const auto& entry : json.items()) {
       const std::string& key = entry.key();
       if (key != "format" && key != "version" && key != "options" && key != "edits" && key != "comment" &&
-          key != "component")
+          key != "component" && key != "fill_holes" && key != "finish")
         throw Malformed("the recipe has an unknown field \"" + key + "\"");
     }
     if (json.contains("component")) {
@@ -398,9 +421,20 @@ Result<Recipe> recipe_from_json(const std::string& text) {
         throw Malformed("\"component\" is not an integer of at least 1 and at most nine digits");
       recipe.component = component.get<int>();
     }
+    if (json.contains("fill_holes")) {
+      const Json& edges = json["fill_holes"];
+      if (!edges.is_number_integer() || edges < 3 || edges > 1000000000)
+        throw Malformed("\"fill_holes\" is not an integer of at least 3 and at most nine digits");
+      recipe.fill_holes = edges.get<int>();
+    }
     if (json.contains("options")) {
       Reader reader(json["options"], "\"options\"");
       fields(reader, recipe.options);
+      reader.finish();
+    }
+    if (json.contains("finish")) {
+      Reader reader(json["finish"], "\"finish\"");
+      fields(reader, recipe.finish);
       reader.finish();
     }
     if (!json.contains("edits") || !json["edits"].is_array())

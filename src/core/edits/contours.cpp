@@ -265,18 +265,6 @@ Result<void> apply_edit(Draft& draft, const Move_contour& edit) {
 
 namespace {
 
-// Joins the saddles around an annulus on one contour.
-Result<void> collapse(Draft& draft, int c) {
-  if (draft.chart(c).kind != Chart_kind::annulus)
-    return refuse("only annuli can be collapsed", {}, Element_kind::chart, c);
-  const Result<Chart_parameterization> map = draft.naturally_solved_map(c);
-  if (!map) return map.error();
-  const std::shared_ptr<const Chart> chart = draft.atlas().charts[c];
-  if (Result<void> done = collapse_chart(draft.surface(), *chart, *map, draft.network); !done)
-    return refuse("the chart cannot be collapsed", done.error().message, Element_kind::chart, c);
-  return draft.cut();
-}
-
 int chart_between(const Draft& draft, int first, int second) {
   const auto touches = [&](const Walk& walk, int node) {
     return std::any_of(walk.edges.begin(), walk.edges.end(), [&](const Walk_edge& e) {
@@ -297,7 +285,7 @@ int chart_between(const Draft& draft, int first, int second) {
 Result<void> apply_edit(Draft& draft, const Collapse_chart& edit) {
   const int c = draft.chart_at(edit.at);
   if (c < 0) return refuse("there is no chart");
-  return collapse(draft, c);
+  return collapse_chart(draft, c);
 }
 
 Result<void> apply_edit(Draft& draft, const Align_saddles& edit) {
@@ -305,34 +293,12 @@ Result<void> apply_edit(Draft& draft, const Align_saddles& edit) {
   if (first < 0 || first == second) return refuse("two saddles are needed");
   const int c = chart_between(draft, first, second);
   if (c < 0) return refuse("no chart lies between the saddles");
-  return collapse(draft, c);
+  return collapse_chart(draft, c);
 }
 
 Result<void> apply_edit(Draft& draft, const Collapse_thin_charts&) {
-  std::set<std::vector<int>> refused;
-  int done = 0;
-  for (;;) {
-    int thinnest = -1;
-    double least = 0.5 * draft.edge_length;
-    for (int c = 0; c < int(draft.atlas().charts.size()); ++c) {
-      if (draft.chart(c).kind != Chart_kind::annulus) continue;
-      const auto map = draft.map(c);
-      if (!map) return map.error();
-      if ((*map)->profile().total() >= least) continue;
-      if (refused.count(contour_edges(draft.chart(c)))) continue;
-      least = (*map)->profile().total();
-      thinnest = c;
-    }
-    if (thinnest < 0) break;
-    Draft trial = draft;
-    if (collapse(trial, thinnest)) {
-      draft.take(std::move(trial));
-      ++done;
-      continue;
-    }
-    refused.insert(contour_edges(draft.chart(thinnest)));
-  }
-  if (done == 0) return refuse("no chart is thinner than half a quad and can be collapsed");
+  if (Result<void> done = collapse_thin_charts(draft); !done) return done;
+  if (draft.collapsed_charts == 0) return refuse("no chart is thinner than half a quad and can be collapsed");
   return {};
 }
 

@@ -25,13 +25,24 @@ std::vector<int> vertices_of(const std::vector<Design_extremum>& extrema, bool m
   return vertices;
 }
 
+Result<Reeb_layout> layout_with_any_extrema(const Draft& draft, const Designed_field& field) {
+  Result<Reeb_layout> layout = make_layout(draft.surface(), field, int(draft.network.edges.size()));
+  if (!layout && layout.error().code == Error_code::internal_error)
+    return refuse("the field has no layout", layout.error().message);
+  return layout;
+}
+
 bool is_boundary_vertex(const Triangle_surface& s, int v) {
   return s.is_boundary(s.outgoing[v]);
 }
 
+// What becomes of an extremum that the field turns out not to have.
+enum class Lost_extrema { are_refused, are_left_out };
+
 // Solves the field on the whole surface and cuts it along its own contours.
 Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
-                            const std::vector<bool>& boundary_is_maximum) {
+                            const std::vector<bool>& boundary_is_maximum,
+                            Lost_extrema lost = Lost_extrema::are_refused) {
   const Triangle_surface& s = draft.surface();
   sort_by_vertex(extrema);
   for (std::size_t i = 0; i < extrema.size(); ++i) {
@@ -44,17 +55,24 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
   }
   Designed_field field{{}, vertices_of(extrema, false), vertices_of(extrema, true), boundary_is_maximum};
   for (const Design_extremum& e : extrema) field.extremal_values[e.vertex] = e.value;
+  if (Result<void> going_on = draft.begin("field"); !going_on) return going_on;
   if (Result<void> solved = draft.solver().solve(field); !solved)
     return refuse("the field cannot be solved", solved.error().message);
-  Result<Reeb_layout> layout = layout_of(draft, field);
+  if (Result<void> going_on = draft.begin("layout"); !going_on) return going_on;
+  Result<Reeb_layout> layout =
+      lost == Lost_extrema::are_refused ? layout_of(draft, field) : layout_with_any_extrema(draft, field);
   if (!layout) return layout.error();
+  for (int v : layout->lost_extrema)
+    extrema.erase(std::remove_if(extrema.begin(), extrema.end(),
+                                 [&](const Design_extremum& e) { return e.vertex == v; }),
+                  extrema.end());
   draft.adopt(std::move(*layout));
   draft.extrema = std::move(extrema);
   return {};
 }
 
 // Whether the boundary loops are maxima: as they are now, else as it is suggested.
-Result<std::vector<bool>> boundary_kinds(Draft& draft) {
+Result<std::vector<bool>> boundary_kinds(Draft& draft, const Suggestion_options& options) {
   const std::vector<std::vector<int>> loops = boundary_loops(draft.surface());
   if (loops.empty()) return std::vector<bool>();
   std::map<int, bool>
@@ -71,13 +89,14 @@ Result<std::vector<bool>> boundary_kinds(Draft& draft) {
       kinds.push_back(is_maximum.at(draft.surface().source(loop[0])));
     return kinds;
   }
-  Result<Suggestion> suggestion = suggest_extrema(draft.surface(), {}, draft.observer());
+  Result<Suggestion> suggestion = suggest_extrema(draft.surface(), options, draft.observer());
   if (!suggestion) return suggestion.error();
   return suggestion->boundary_is_maximum;
 }
 
-Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema) {
-  Result<std::vector<bool>> kinds = boundary_kinds(draft);
+Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
+                            const Suggestion_options& options = {}) {
+  Result<std::vector<bool>> kinds = boundary_kinds(draft, options);
   if (!kinds) return kinds.error();
   return design_surface(draft, std::move(extrema), *kinds);
 }
@@ -90,8 +109,8 @@ void sort_by_vertex(std::vector<Design_extremum>& extrema) {
 }
 
 Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field) {
-  Result<Reeb_layout> layout = make_layout(draft.surface(), field, int(draft.network.edges.size()));
-  if (!layout) return refuse("the field has no layout", layout.error().message);
+  Result<Reeb_layout> layout = layout_with_any_extrema(draft, field);
+  if (!layout) return layout;
   if (!layout->lost_extrema.empty())
     return refuse("the field does not have an extremum there", {}, Element_kind::vertex,
                   layout->lost_extrema[0]);
@@ -102,24 +121,30 @@ Result<void> apply_edit(Draft& draft, const Suggest& edit) {
   Suggestion_options options;
   options.persistence = edit.persistence;
   options.axis = edit.axis;
+  if (Result<void> going_on = draft.begin("extrema"); !going_on) return going_on;
   Result<Suggestion> suggestion = suggest_extrema(draft.surface(), options, draft.observer());
   if (!suggestion) return suggestion.error();
   std::vector<Design_extremum> extrema;
   for (const Suggested_extremum& e : suggestion->extrema)
     extrema.push_back({e.vertex, e.is_maximum, e.is_maximum ? 1.0 : 0.0});
-  return design_surface(draft, std::move(extrema), suggestion->boundary_is_maximum);
+  const Result<void> designed =
+      design_surface(draft, std::move(extrema), suggestion->boundary_is_maximum, Lost_extrema::are_left_out);
+  return designed && edit.collapse_thin ? collapse_thin_charts(draft) : designed;
 }
 
 Result<void> apply_edit(Draft& draft, const Set_extrema& edit) {
   std::vector<Design_extremum> extrema;
   for (const Set_extrema::Extremum& e : edit.extrema) {
     if (e.value > 1) return make_error(Error_code::impossible_request, "values of extrema are at most 1");
-    extrema.push_back({draft.vertex_at(e.at), e.is_maximum,
+    extrema.push_back({draft.inner_vertex_at(e.at), e.is_maximum,
                        e.value >= 0   ? e.value
                        : e.is_maximum ? 1.0
                                       : 0.0});
   }
-  return design_surface(draft, std::move(extrema));
+  Suggestion_options options;
+  options.axis = edit.axis;
+  const Result<void> designed = design_surface(draft, std::move(extrema), options);
+  return designed && edit.collapse_thin ? collapse_thin_charts(draft) : designed;
 }
 
 Result<void> apply_edit(Draft& draft, const Change_value& edit) {

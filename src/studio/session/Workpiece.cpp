@@ -181,9 +181,9 @@ void Workpiece::stitch() {
 
 Result<void> Workpiece::finish(Observer* observer) {
   if (is_finished()) return {};
-  Result<Stitched_mesh> finished = m_editor.finished_quads({}, {}, observer);
+  Result<Finished_design> finished = m_editor.finished_quads({}, observer);
   if (!finished) return finished.error();
-  m_quads = std::move(*finished);
+  m_quads = std::move(finished->quads);
   m_fans = pole_fans(m_editor.design(), *m_quads);
   m_finished = true;
   return {};

@@ -17,7 +17,12 @@ struct Recipe {
   /// Of a file with several connected components, the one that the design is for, counted from 1 in the order of `mend_surface()`;
   /// 0: the file has one only.
   int component = 0;
+  /// The largest number of edges of the holes that are filled first, see `Mend_options::fill_holes`; 0: none are.
+  int fill_holes = 0;
   std::vector<Edit> edits;
+  /// How the quads of the design become the result. Kept are `relax`, the angle and the lines of `features`, the ratio and the number of
+  /// quads of `adaptive`.
+  Finish_options finish;
 };
 
 /// The text of a recipe: JSON, as doc/Reeb_quadrangulation/recipes.md describes it. Numbers have 17 digits, so that it is read back to
@@ -35,7 +40,7 @@ Result<Edit> edit_from_json(const std::string& text);
 /// The name that recipes have for it.
 const char* name(Pole_kind kind);
 
-/// The recipe of a session up to its present state.
+/// The recipe of a session up to its present state, with the usual finish.
 Recipe recipe_of(const Editor& editor);
 
 } // namespace Reeb_quadrangulation

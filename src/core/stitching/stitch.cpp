@@ -334,12 +334,5 @@ Result<Stitched_mesh> stitch_textures(const std::vector<Point>& points, const Co
   return Stitcher(points, network, atlas, samples, textures).run(options);
 }
 
-Stitched_mesh stitch(const std::vector<Point>& points, const Contour_network& network, const Atlas& atlas,
-                     const Contour_samples& samples, const std::vector<const Placed_texture*>& textures) {
-  Result<Stitched_mesh> stitched = stitch_textures(points, network, atlas, samples, textures);
-  CGAL_precondition(bool(stitched) && stitched->t_junctions == 0);
-  return std::move(*stitched);
-}
-
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
