@@ -17,6 +17,18 @@ if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
       DEPENDS reebquad ${PROJECT_SOURCE_DIR}/test/studio/tour.mjs ${PROJECT_SOURCE_DIR}/test/studio/harness.mjs
       COMMENT "Taking pictures of the studio" VERBATIM)
   endif()
+  # The page of examples: all that there are, each with the first words of its source.
+  set(example_list "")
+  file(GLOB documented_examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/Reeb_quadrangulation/*.cpp)
+  foreach(source IN LISTS documented_examples)
+    get_filename_component(name ${source} NAME)
+    file(STRINGS ${source} words LIMIT_COUNT 2)
+    list(GET words 1 words)
+    string(REGEX REPLACE "^// *" "" words "${words}")
+    string(REPLACE "::" "\\::" words "${words}")
+    string(APPEND example_list "/** \\example ${name}\n${words}\n*/\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/doc/pages/examples.txt CONTENT "${example_list}" @ONLY)
   configure_file(${doc_dir}/Doxyfile.in ${PROJECT_BINARY_DIR}/doc/Doxyfile @ONLY)
   file(GLOB edit_figures CONFIGURE_DEPENDS ${doc_dir}/fig/edits/*.json)
   add_custom_command(OUTPUT ${figure_dir}/quads.png

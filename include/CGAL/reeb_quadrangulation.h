@@ -28,6 +28,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
+#include <CGAL/Reeb_quadrangulation/Order_graph.h>
 #include <CGAL/Reeb_quadrangulation/Placed_texture.h>
 #include <CGAL/Reeb_quadrangulation/Pole_kind.h>
 #include <CGAL/Reeb_quadrangulation/Quad_texture.h>
@@ -45,14 +46,24 @@
 #include <CGAL/Reeb_quadrangulation/adapt_quads.h>
 #include <CGAL/Reeb_quadrangulation/base_domain.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/certify_quads.h>
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
+#include <CGAL/Reeb_quadrangulation/combine_parameters.h>
+#include <CGAL/Reeb_quadrangulation/constrained_features.h>
 #include <CGAL/Reeb_quadrangulation/constrained_field.h>
+#include <CGAL/Reeb_quadrangulation/create_editor.h>
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
+#include <CGAL/Reeb_quadrangulation/face_graph_options.h>
+#include <CGAL/Reeb_quadrangulation/face_graph_surface.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/finish_design.h>
+#include <CGAL/Reeb_quadrangulation/finish_design_on_features.h>
+#include <CGAL/Reeb_quadrangulation/finish_face_graph.h>
+#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
 #include <CGAL/Reeb_quadrangulation/finish_quads.h>
 #include <CGAL/Reeb_quadrangulation/fit_texture.h>
+#include <CGAL/Reeb_quadrangulation/given_features.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/layout_sampling.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>
@@ -62,14 +73,22 @@
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
 #include <CGAL/Reeb_quadrangulation/place_texture.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
+#include <CGAL/Reeb_quadrangulation/plane_curves.h>
 #include <CGAL/Reeb_quadrangulation/pole_fans.h>
 #include <CGAL/Reeb_quadrangulation/polygon_mesh.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
+#include <CGAL/Reeb_quadrangulation/quad_face_graph.h>
+#include <CGAL/Reeb_quadrangulation/quad_parameters.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate_components.h>
+#include <CGAL/Reeb_quadrangulation/read_parameters.h>
+#include <CGAL/Reeb_quadrangulation/reeb_charts.h>
+#include <CGAL/Reeb_quadrangulation/reeb_graph.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 #include <CGAL/Reeb_quadrangulation/render.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
+#include <CGAL/Reeb_quadrangulation/sized_quads.h>
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/suggest_edits.h>
@@ -78,5 +97,6 @@
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>
 #include <CGAL/Reeb_quadrangulation/texture_operator.h>
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
+#include <CGAL/Reeb_quadrangulation/transfer_attribute.h>
 
 #endif // CGAL_REEB_QUADRANGULATION_H

@@ -6,10 +6,12 @@
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include <CGAL/Reeb_quadrangulation/given_features.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +53,8 @@ struct Quadrangulation_options {
   /// Move vertices onto sharp edges and corners; needs `relax`.
   bool keep_features = true;
   Snap_options features;
+  /// The user's own features of the surface, which count instead of its sharp edges; need `relax`. \sa finish_on_features.h
+  std::optional<Given_features> given_features;
   /// With a ratio above 1: quads are subdivided where the surface bends, or where a size field asks for it, after they were
   /// relaxed, and relaxed again. `quads` is then still their number in the end, about; `edge_length` that of the coarsest.
   Adaptive_options adaptive{1};
@@ -59,8 +63,8 @@ struct Quadrangulation_options {
 };
 
 /// The recipe of the automatic run that these options ask for: its first edit places extrema, suggested or given, and what follows is the
-/// user's to add. Replayed on the same surface it gives the run's bytes, unless it has chart weights, textures, a size field or a function of
-/// its own: a recipe keeps no functions.
+/// user's to add. Replayed on the same surface it gives the run's bytes, unless it has chart weights, textures, a size field, a function of
+/// its own, or given features: a recipe keeps none of these.
 /// Fails with `impossible_request`, naming the option, where one is out of range.
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options = {});
 

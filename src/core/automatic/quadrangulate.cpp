@@ -4,6 +4,8 @@
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
 
+#include <CGAL/Reeb_quadrangulation/finish_design_on_features.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +61,20 @@ Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_
 
 namespace {
 
+Result<void> check(const Snap_options& options) {
+  const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
+  if (!(options.feature_angle >= 0 && options.feature_angle <= 180))
+    return make_error(Error_code::impossible_request,
+                      "the angle of sharp edges lies between 0 and 180 degrees");
+  if (!is_length(options.reach) || !is_length(options.corner_reach) || !is_length(options.line_reach) ||
+      !is_length(options.shortest_chain))
+    return make_error(Error_code::impossible_request,
+                      "the reaches and the shortest chain of sharp edges are lengths");
+  if (!(options.worst_jacobian >= -1 && options.worst_jacobian <= 1))
+    return make_error(Error_code::impossible_request, "the worst scaled Jacobian lies between -1 and 1");
+  return {};
+}
+
 Result<void> check(const Quadrangulation_options& options) {
   const auto impossible = [](const char* sentence) {
     return make_error(Error_code::impossible_request, sentence);
@@ -75,6 +91,7 @@ Result<void> check(const Quadrangulation_options& options) {
     return impossible("the axis has no direction");
   for (const Placed_extremum& e : options.extrema)
     if (!e.point.allFinite()) return impossible("a placed extremum is not finite");
+  if (Result<void> fine = check(options.features); !fine) return fine;
   if (options.threads < 0) return impossible("the number of threads is negative");
   return {};
 }
@@ -132,6 +149,14 @@ const std::set<std::string> stages_of_a_run = {"prepare",   "extrema",     "fiel
                                                "charts",    "thin charts", "sampling", "textures",
                                                "stitching", "relaxation"};
 
+Result<Finished_design> finished_on(const Given_features& features, const Editor& editor,
+                                    const Recipe& recipe, Observer& observer) {
+  Finish_options options = recipe.finish;
+  options.relaxation.threads = internal::number_of_threads(recipe.options.threads);
+  observer.progress("stitching", 0);
+  return finish_design(editor.quads(), Surface_projector(editor.input()), features, options, &observer);
+}
+
 } // namespace
 
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
@@ -156,7 +181,9 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
     if (!done) return done.error();
     collapsed += done->collapsed_charts;
   }
-  Result<Finished_design> finished = editor->finished_quads(recipe->finish, &recorder);
+  Result<Finished_design> finished = options.given_features
+                                         ? finished_on(*options.given_features, *editor, *recipe, recorder)
+                                         : editor->finished_quads(recipe->finish, &recorder);
   if (!finished) return finished.error();
   const int genus = (2 - euler_characteristic(surface) - int(boundary_loops(surface).size())) / 2;
   const int flipped = flipped_triangles(editor->design());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/finish_design.h>
+#include <CGAL/Reeb_quadrangulation/finish_design_on_features.h>
+#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
 
 #include <optional>
 
@@ -14,8 +15,10 @@ constexpr double turn_costs[] = {1.0, 0.25, 4.0};
 
 class Design_finisher {
 public:
-  Design_finisher(const Surface_projector& projector, const Finish_options& options, Observer* observer)
-      : m_projector(projector), m_options(options), m_observer(observer) {}
+  // With features, these count; without, sharp edges.
+  Design_finisher(const Surface_projector& projector, const Given_features* features,
+                  const Finish_options& options, Observer* observer)
+      : m_projector(projector), m_features(features), m_options(options), m_observer(observer) {}
 
   Result<Finished_design> run(Stitched_mesh quads) const {
     Finished_design base;
@@ -38,11 +41,15 @@ public:
 private:
   Result<void> finish(Finished_design& design) const {
     if (!m_options.relax) return {};
+    Quad_mesh& mesh = design.quads.mesh;
+    const std::vector<int>& held = design.quads.held_vertices;
     Result<Finished_quads> finished =
-        finish_quads(std::move(design.quads.mesh), m_projector, m_options.relaxation, m_options.features,
-                     m_observer, design.quads.held_vertices);
+        m_features ? finish_quads(std::move(mesh), m_projector, *m_features, m_options.relaxation,
+                                  m_options.features, m_observer, held)
+                   : finish_quads(std::move(mesh), m_projector, m_options.relaxation, m_options.features,
+                                  m_observer, held);
     if (!finished) return finished.error();
-    design.quads.mesh = std::move(finished->mesh);
+    mesh = std::move(finished->mesh);
     design.relaxation = std::move(finished->relaxation);
     design.features = finished->features;
     return {};
@@ -68,19 +75,32 @@ private:
   }
 
   const Surface_projector& m_projector;
+  const Given_features* m_features;
   const Finish_options& m_options;
   Observer* m_observer;
 };
+
+Result<Finished_design> finished(Stitched_mesh quads, const Surface_projector& projector,
+                                 const Given_features* features, const Finish_options& options,
+                                 Observer* observer) {
+  const int ratio = options.adaptive.ratio;
+  if (ratio != 1 && ratio != 2 && ratio != 4 && ratio != 8)
+    return make_error(Error_code::impossible_request, "the ratio of adaptive quads is 1, 2, 4 or 8");
+  if (observer) observer->progress("relaxation", 0);
+  return Design_finisher(projector, features, options, observer).run(std::move(quads));
+}
 
 } // namespace
 
 Result<Finished_design> finish_design(Stitched_mesh quads, const Surface_projector& projector,
                                       const Finish_options& options, Observer* observer) {
-  const int ratio = options.adaptive.ratio;
-  if (ratio != 1 && ratio != 2 && ratio != 4 && ratio != 8)
-    return make_error(Error_code::impossible_request, "the ratio of adaptive quads is 1, 2, 4 or 8");
-  if (observer) observer->progress("relaxation", 0);
-  return Design_finisher(projector, options, observer).run(std::move(quads));
+  return finished(std::move(quads), projector, nullptr, options, observer);
+}
+
+Result<Finished_design> finish_design(Stitched_mesh quads, const Surface_projector& projector,
+                                      const Given_features& features, const Finish_options& options,
+                                      Observer* observer) {
+  return finished(std::move(quads), projector, &features, options, observer);
 }
 
 } // namespace Reeb_quadrangulation

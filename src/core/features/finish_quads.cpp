@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/finish_quads.h>
+#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -35,8 +34,15 @@ public:
            Observer* observer, const std::vector<int>& held)
       : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_observer(observer),
         m_held(held) {
-    if (snapping.feature_angle > 0) m_features = feature_edges(projector.surface(), snapping.feature_angle);
+    if (snapping.feature_angle > 0)
+      m_features.edges = feature_edges(projector.surface(), snapping.feature_angle);
   }
+
+  // With the user's features: they are worth more than good quads.
+  Finisher(const Surface_projector& projector, const Relax_options& relaxation, const Snap_options& snapping,
+           const Given_features& features, Observer* observer, const std::vector<int>& held)
+      : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_features(features),
+        m_is_given(true), m_observer(observer), m_held(held) {}
 
   // Quads are first relaxed without regard to sharp edges. Of the ways onto these, the first is taken that makes
   // them no worse.
@@ -51,7 +57,7 @@ public:
         return relaxed.error();
       if (is_worse(plain.relaxation, freer.relaxation)) plain = std::move(freer);
     }
-    if (!m_features || m_features->chains.empty()) return plain;
+    if (m_features.edges.chains.empty() && m_features.points.empty()) return plain;
     for (const Snap_options& way : ways()) {
       Result<Finished_quads> snapped = snap(plain, way);
       if (!snapped || !is_worse(snapped->relaxation, plain.relaxation)) return snapped;
@@ -75,13 +81,17 @@ private:
   // What is held, and what the design has put onto sharp edges already.
   Vertex_constraints designed(Quad_mesh& mesh) const {
     Vertex_constraints result(held(mesh));
-    if (!m_features) return result;
     Snap_options near = m_snapping;
     near.reach = std::min(near.reach, on_it);
     near.corner_reach = std::min(near.corner_reach, on_it);
     near.lines = near.crossings = false;
-    snap_to_features(mesh, m_projector, *m_features, near, result);
+    snap(mesh, near, result);
     return result;
+  }
+
+  Snap_report snap(Quad_mesh& mesh, const Snap_options& way, Vertex_constraints& onto) const {
+    return m_is_given ? snap_to_features(mesh, m_projector, m_features, way, onto)
+                      : snap_to_features(mesh, m_projector, m_features.edges, way, onto);
   }
 
   Result<Finished_quads> snap(Finished_quads quads, const Snap_options& way) const {
@@ -96,7 +106,7 @@ private:
     for (int round = 0; round < rounds; ++round) {
       Vertex_constraints onto(held(quads.mesh));
       for (int v : left) onto.fixed[std::size_t(v)] = 1; // brought back, they would have to leave again
-      quads.features = snap_to_features(quads.mesh, m_projector, *m_features, way, onto);
+      quads.features = snap(quads.mesh, way, onto);
       if (quads.features.corners + quads.features.vertices == 0) return quads;
       if (Result<void> relaxed = relax(quads, onto, gentle); !relaxed) return relaxed.error();
       left.insert(left.end(), quads.relaxation.off_surface.begin(), quads.relaxation.off_surface.end());
@@ -113,9 +123,10 @@ private:
 
   // Fewer defects are always better. Sharp edges are worth a little of the quads' mean quality, but good quads
   // stay good.
-  static bool is_worse(const Relax_report& a, const Relax_report& b) {
+  bool is_worse(const Relax_report& a, const Relax_report& b) const {
     if (a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after) return true;
     if (a.inverted_after < b.inverted_after || a.intersections_after < b.intersections_after) return false;
+    if (m_is_given) return false;
     return (a.worst_after < b.worst_after && a.worst_after < poor_quad) ||
            a.mean_after < b.mean_after - worth_of_edges ||
            (a.mean_after < good_mean && b.mean_after >= good_mean);
@@ -139,7 +150,8 @@ private:
   const Surface_projector& m_projector;
   const Relax_options& m_relaxation;
   const Snap_options& m_snapping;
-  std::optional<Feature_edges> m_features; // without an angle, none
+  Given_features m_features; // sharp edges, without an angle none, or what is given
+  bool m_is_given = false;
   Observer* m_observer;
   const std::vector<int>& m_held;
 };
@@ -150,6 +162,13 @@ Result<Finished_quads> finish_quads(Quad_mesh mesh, const Surface_projector& pro
                                     const Relax_options& relaxation, const Snap_options& features,
                                     Observer* observer, const std::vector<int>& held) {
   return Finisher(projector, relaxation, features, observer, held).run(std::move(mesh));
+}
+
+Result<Finished_quads> finish_quads(Quad_mesh mesh, const Surface_projector& projector,
+                                    const Given_features& features, const Relax_options& relaxation,
+                                    const Snap_options& options, Observer* observer,
+                                    const std::vector<int>& held) {
+  return Finisher(projector, relaxation, options, features, observer, held).run(std::move(mesh));
 }
 
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/snap_to_features.h>
+#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
 
 #include "base/compatibility.h"
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
@@ -59,13 +59,14 @@ public:
     mark_boundary();
   }
 
-  Snap_report run(const Feature_edges& features) {
-    collect(features);
-    if (!m_segments.empty()) {
+  // `points` are corners that count without sharp edges too.
+  Snap_report run(const Feature_edges& features, const std::vector<int>& points) {
+    collect(features, points);
+    if (!m_segments.empty() || !m_corners.empty()) {
       for (std::size_t v = 0; v < m_normal.size(); ++v)
         m_normal[v] = m_projector.normal(m_projector.closest(m_mesh.points[v]).face);
       snap_corners();
-      snap_edges();
+      if (!m_segments.empty()) snap_edges();
     }
     return m_report;
   }
@@ -87,8 +88,9 @@ private:
     }
   }
 
-  void collect(const Feature_edges& features) {
+  void collect(const Feature_edges& features, const std::vector<int>& points) {
     std::vector<char> on_kept(m_input.number_of_vertices(), 0);
+    for (int v : points) on_kept[v] = 1;
     for (const Feature_chain& chain : features.chains) {
       if (chain.boundary) continue;
       double length = 0;
@@ -374,7 +376,15 @@ Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector
 Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector,
                              const Feature_edges& features, const Snap_options& options,
                              Vertex_constraints& constraints) {
-  return Snapper(mesh, projector, options, constraints).run(features);
+  return Snapper(mesh, projector, options, constraints).run(features, {});
+}
+
+Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector,
+                             const Given_features& features, const Snap_options& options,
+                             Vertex_constraints& constraints) {
+  Snap_options every_chain = options;
+  every_chain.shortest_chain = 0;
+  return Snapper(mesh, projector, every_chain, constraints).run(features.edges, features.points);
 }
 
 } // namespace Reeb_quadrangulation

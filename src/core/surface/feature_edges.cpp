@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/given_features.h>
 
 #include "base/sharp_edge.h"
+
+#include <CGAL/assertions.h>
 
 #include <Eigen/Geometry>
 
@@ -63,6 +65,10 @@ std::vector<char> sharp_halfedges(const Triangle_surface& s, double dihedral_ang
   return feature;
 }
 
+// Chains of features between corners: the vertices that are marked in `corner`, and those that the features make.
+Feature_edges traced(const Triangle_surface& s, std::vector<char> feature, std::vector<char> corner,
+                     double corner_angle);
+
 } // namespace
 
 Feature_edges feature_edges(const Triangle_surface& s, double dihedral_angle, double corner_angle) {
@@ -70,15 +76,35 @@ Feature_edges feature_edges(const Triangle_surface& s, double dihedral_angle, do
 }
 
 Feature_edges feature_edges(const Triangle_surface& s, std::vector<char> feature, double corner_angle) {
+  return traced(s, std::move(feature), std::vector<char>(s.points.size(), 0), corner_angle);
+}
+
+Given_features given_features(const Triangle_surface& s, std::vector<char> sharp, std::vector<int> points,
+                              double corner_angle) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<char> corner(s.points.size(), 0);
+  for (int v : points) {
+    CGAL_precondition(v >= 0 && v < s.number_of_vertices());
+    corner[std::size_t(v)] = 1;
+  }
+  return {traced(s, std::move(sharp), std::move(corner), corner_angle), std::move(points)};
+}
+
+namespace {
+
+Feature_edges traced(const Triangle_surface& s, std::vector<char> feature, std::vector<char> corner,
+                     double corner_angle) {
   const int nh = s.number_of_halfedges();
+  CGAL_precondition(int(feature.size()) == nh);
   for (int h = 0; h < nh; ++h)
     if (s.opposite[h] < 0) feature[h] = 1;
   Feature_edges result;
-  std::vector<char> has_feature(s.number_of_vertices(), 0), corner(s.number_of_vertices(), 0), used(nh, 0);
+  std::vector<char> has_feature(s.number_of_vertices(), 0), used(nh, 0);
   for (int h = 0; h < nh; ++h)
     if (feature[h]) has_feature[s.source(h)] = has_feature[s.target(h)] = 1;
   for (int v = 0; v < s.number_of_vertices(); ++v)
-    if (has_feature[v] && is_corner(s, feature, v, internal::cosine_of(corner_angle))) {
+    if (corner[v] || (has_feature[v] && is_corner(s, feature, v, internal::cosine_of(corner_angle)))) {
       corner[v] = 1;
       result.corners.push_back(v);
     }
@@ -118,6 +144,8 @@ Feature_edges feature_edges(const Triangle_surface& s, std::vector<char> feature
   });
   return result;
 }
+
+} // namespace
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
