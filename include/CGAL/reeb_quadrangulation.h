@@ -53,6 +53,7 @@
 #include <CGAL/Reeb_quadrangulation/constrained_field.h>
 #include <CGAL/Reeb_quadrangulation/create_editor.h>
 #include <CGAL/Reeb_quadrangulation/decimate.h>
+#include <CGAL/Reeb_quadrangulation/design_energy.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
 #include <CGAL/Reeb_quadrangulation/face_graph_options.h>
 #include <CGAL/Reeb_quadrangulation/face_graph_surface.h>
@@ -87,6 +88,7 @@
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 #include <CGAL/Reeb_quadrangulation/render.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
+#include <CGAL/Reeb_quadrangulation/search_extrema.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/sized_quads.h>
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>

@@ -98,6 +98,10 @@ void declare(Command_line& line) {
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
       ("html", value<std::string>("FILE"), "write a report with an interactive view as one HTML file") //
       ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                   //
+      ("effort", value<std::string>("EFFORT")->default_value("default"),
+       "fast: suggested extrema; default, best: search better ones, so that quads keep the shape") //
+      ("extra-vertices", value<int>("N"),
+       "the search may spend N extraordinary vertices; default: as many as pay") //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -147,6 +151,10 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
     if (ratio != 2 && ratio != 4 && ratio != 8)
       throw Usage_error("--adaptive is 2, 4 or 8; it got " + std::to_string(ratio));
   }
+  pipeline.effort =
+      choice<Effort>("--effort", line.text("effort"),
+                     {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
+  if (line.has("extra-vertices")) pipeline.extra_vertices = in_range(line, "extra-vertices", 0, 1000000);
   pipeline.extrema = placed_extrema(line);
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");

@@ -138,6 +138,9 @@ Json component_json(const Component_run& component) {
   out["layout"] = layout_json(result);
   out["sampling"] = sampling_json(result.editor.design());
   out["adaptive"] = {{"subdivided_quads", result.subdivided_quads}, {"t_junctions", result.t_junctions}};
+  out["search"] = Json::array();
+  for (const Search_step& step : result.search)
+    out["search"].push_back({{"reason", step.reason}, {"energy", step.energy}});
   out["relaxation"] = relaxation_json(result.relaxation);
   out["features"] = features_json(result.features);
   out["predicted_valences"] = Json::object();

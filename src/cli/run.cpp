@@ -105,7 +105,7 @@ private:
   }
 
   void write_recipe() const {
-    Recipe recipe = value_or_fail(automatic_recipe(m_options.pipeline), m_options.recipe);
+    Recipe recipe = m_run.components[0].result->recipe;
     recipe.component = m_component;
     recipe.fill_holes = m_options.mending.fill_holes;
     const Uninterruptible whole;

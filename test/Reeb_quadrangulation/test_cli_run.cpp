@@ -186,20 +186,34 @@ TEST_CASE("--feature-lines lets edges of quads run along more of the sharp edges
     CHECK(shape.report()["statistics"]["inverted_quads"] == 0);
     return shape.report()["statistics"]["covered_sharp_edges"].get<double>();
   };
-  const double single = covered({"--quads", "1500"});
+  const double single = covered({"--quads", "1500", "--effort", "fast"});
   CHECK(shape.report()["components"][0]["features"]["on_lines"] == 0);
-  CHECK(covered({"--quads", "1500", "--feature-lines"}) > single + 0.03);
+  CHECK(covered({"--quads", "1500", "--effort", "fast", "--feature-lines"}) > single + 0.03);
   CHECK(shape.report()["components"][0]["features"]["on_lines"].get<int>() > 20);
 }
 
 TEST_CASE("--persistence decides how many protrusions get an extremum") {
   const Shape hand("hand", 4000);
-  REQUIRE(hand.run({"--persistence", "0.05"}).code == 0);
+  REQUIRE(hand.run({"--effort", "fast", "--persistence", "0.05"}).code == 0);
   const std::size_t many = hand.report()["components"][0]["extrema"].size();
-  REQUIRE(hand.run({"--persistence", "0.9"}).code == 0);
+  REQUIRE(hand.run({"--effort", "fast", "--persistence", "0.9"}).code == 0);
   const std::size_t few = hand.report()["components"][0]["extrema"].size();
   CHECK(many > few);
   CHECK(few >= 2);
+}
+
+TEST_CASE("the report says what more effort has changed") {
+  const Shape hand("hand", 4000);
+  const auto changes = [&](const std::string& effort) {
+    REQUIRE(hand.run({"--quads", "800", "--persistence", "0.9", "--effort", effort}).code == 0);
+    return hand.report()["components"][0]["search"];
+  };
+  CHECK(changes("fast").empty());
+  const Json steps = changes("default");
+  REQUIRE(!steps.empty());
+  CHECK(steps[0]["reason"].get<std::string>().find(" at (") != std::string::npos);
+  CHECK(steps.back()["energy"].get<double>() <= steps[0]["energy"].get<double>());
+  CHECK(hand.run({"--effort", "much"}).code == 2);
 }
 
 TEST_CASE("an open cylinder keeps its rims, or has them filled") {

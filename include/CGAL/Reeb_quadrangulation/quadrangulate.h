@@ -7,6 +7,7 @@
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
 #include <CGAL/Reeb_quadrangulation/given_features.h>
+#include <CGAL/Reeb_quadrangulation/search_extrema.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
 #include <functional>
@@ -23,12 +24,25 @@ struct Placed_extremum {
   bool is_maximum = false;
 };
 
+/// How much an automatic run does for a good design.
+enum class Effort : signed char {
+  fast,   ///< takes the suggested extrema
+  normal, ///< searches better ones among a few dozen designs
+  best    ///< searches longer
+};
+
 /// What an automatic run is asked for. Every option has a default that suits organic shapes.
 struct Quadrangulation_options {
   /// Number of quads asked for, met within 5 % if the layout permits; not read if `edge_length > 0`.
   int quads = 3000;
   /// Length of the quads' edges in the units of the surface; 0 = use `quads`.
   double edge_length = 0;
+  /// Whether extrema are searched, see `search_extrema()`; those that are placed stay as they are.
+  Effort effort = Effort::fast;
+  /// What the search looks for.
+  Energy_weights energy;
+  /// The search takes at most so many extraordinary vertices more than the suggestion has; negative: no limit but their price.
+  int extra_vertices = -1;
   /// If not empty, these replace the suggestion (not the boundary loops' constants).
   std::vector<Placed_extremum> extrema;
   /// Of the automatic extrema.
@@ -62,9 +76,7 @@ struct Quadrangulation_options {
   int threads = 0;
 };
 
-/// The recipe of the automatic run that these options ask for: its first edit places extrema, suggested or given, and what follows is the
-/// user's to add. Replayed on the same surface it gives the run's bytes, unless it has chart weights, textures, a size field, a function of
-/// its own, or given features: a recipe keeps none of these.
+/// The recipe of the automatic run that these options ask for before anything is searched: its edit places the extrema, suggested or given.
 /// Fails with `impossible_request`, naming the option, where one is out of range.
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options = {});
 
@@ -76,6 +88,9 @@ struct Quadrangulation {
   std::vector<int> chart_of_quad; ///< index into `Design::charts`
   /// The session that made the design, ready for more edits.
   Editor editor;
+  /// What `editor` has done, and how its quads were finished. Replayed on the same surface it gives the same bytes,
+  /// unless the options have functions or given features: a recipe keeps neither.
+  Recipe recipe;
   Relax_report relaxation;
   Snap_report features;
   int subdivided_quads = 0;  ///< by `Quadrangulation_options::adaptive`
@@ -83,6 +98,7 @@ struct Quadrangulation {
   int collapsed_charts = 0;  ///< thin charts that were removed by aligning their saddles
   int flipped_triangles = 0; ///< of all charts' maps, 0 but for rounding
   int genus = 0;
+  std::vector<Search_step> search; ///< what the search has changed, if there was one
   std::vector<Stage_time> stages;
 };
 

@@ -145,9 +145,9 @@ int flipped_triangles(const Design& design) {
   return flipped;
 }
 
-const std::set<std::string> stages_of_a_run = {"prepare",   "extrema",     "field",    "layout",
-                                               "charts",    "thin charts", "sampling", "textures",
-                                               "stitching", "relaxation"};
+const std::set<std::string> stages_of_a_run = {"prepare",  "search",    "extrema",     "field",
+                                               "layout",   "charts",    "thin charts", "sampling",
+                                               "textures", "stitching", "relaxation"};
 
 Result<Finished_design> finished_on(const Given_features& features, const Editor& editor,
                                     const Recipe& recipe, Observer& observer) {
@@ -168,6 +168,74 @@ Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
   return recipe;
 }
 
+namespace {
+
+// Designs that are tried: at 20,000 triangles one takes about a thirtieth of a second on the coarse copy.
+constexpr int tries_of_normal = 40, tries_of_best = 160;
+
+// Replaces the recipe's suggestion by better extrema, if some are found.
+Result<std::vector<Search_step>> search(const Editor& editor, const Quadrangulation_options& options,
+                                        Recipe& recipe, Observer* observer) {
+  if (options.effort == Effort::fast || !options.extrema.empty()) return std::vector<Search_step>();
+  Search_options search;
+  search.tries = options.effort == Effort::normal ? tries_of_normal : tries_of_best;
+  search.weights = options.energy;
+  search.extra_vertices = options.extra_vertices;
+  Result<Searched_extrema> found = search_extrema(editor, recipe.edits[0], search, observer);
+  if (!found) return found.error();
+  if (!found->steps.empty()) recipe.edits[0] = std::move(found->edit);
+  return std::move(found->steps);
+}
+
+struct Made {
+  Finished_design finished;
+  int collapsed = 0;
+};
+
+Result<Made> make(Editor& editor, const Recipe& recipe, const Quadrangulation_options& options,
+                  Observer& observer) {
+  Made made;
+  for (const Edit& edit : recipe.edits) {
+    const Result<Edit_report> done = editor.apply(edit, &observer);
+    if (!done) return done.error();
+    made.collapsed += done->collapsed_charts;
+  }
+  Result<Finished_design> finished = options.given_features
+                                         ? finished_on(*options.given_features, editor, recipe, observer)
+                                         : editor.finished_quads(recipe.finish, &observer);
+  if (!finished) return finished.error();
+  made.finished = std::move(*finished);
+  return made;
+}
+
+int defects(const Made& made) {
+  return made.finished.relaxation.inverted_after + made.finished.relaxation.intersections_after;
+}
+
+// Makes what the recipe says. What the search has found on a coarse copy goes if it cannot be made on the surface itself, or gives
+// defects where the suggestion gives less.
+Result<Made> make_or_fall_back(Editor& editor, Recipe& recipe, const Edit& suggestion,
+                               std::vector<Search_step>& steps, const Quadrangulation_options& options,
+                               Observer& observer) {
+  Result<Made> made = make(editor, recipe, options, observer);
+  const bool failed = !made && made.error().code != Error_code::cancelled;
+  if (steps.empty() || !(failed || (made && defects(*made) > 0))) return made;
+  while (editor.can_undo()) editor.undo();
+  Recipe plain = recipe;
+  plain.edits[0] = suggestion;
+  Result<Made> other = make(editor, plain, options, observer);
+  if (!other && other.error().code == Error_code::cancelled) return other;
+  if (other && (failed || defects(*other) < defects(*made))) {
+    recipe = std::move(plain);
+    steps.clear();
+    return other;
+  }
+  while (editor.can_undo()) editor.undo();
+  return make(editor, recipe, options, observer);
+}
+
+} // namespace
+
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Quadrangulation_options& options,
                                       Observer* observer) {
   Result<Recipe> recipe = automatic_recipe(options);
@@ -175,30 +243,28 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
   internal::Stage_recorder recorder(observer, stages_of_a_run);
   Result<Editor> editor = Editor::create(surface, recipe->options, &recorder);
   if (!editor) return editor.error();
-  int collapsed = 0;
-  for (const Edit& edit : recipe->edits) {
-    const Result<Edit_report> done = editor->apply(edit, &recorder);
-    if (!done) return done.error();
-    collapsed += done->collapsed_charts;
-  }
-  Result<Finished_design> finished = options.given_features
-                                         ? finished_on(*options.given_features, *editor, *recipe, recorder)
-                                         : editor->finished_quads(recipe->finish, &recorder);
-  if (!finished) return finished.error();
+  const Edit suggestion = recipe->edits[0];
+  Result<std::vector<Search_step>> steps = search(*editor, options, *recipe, &recorder);
+  if (!steps) return steps.error();
+  Result<Made> made = make_or_fall_back(*editor, *recipe, suggestion, *steps, options, recorder);
+  if (!made) return made.error();
   const int genus = (2 - euler_characteristic(surface) - int(boundary_loops(surface).size())) / 2;
   const int flipped = flipped_triangles(editor->design());
-  Stitched_mesh& quads = finished->quads;
+  Finished_design& finished = made->finished;
+  Stitched_mesh& quads = finished.quads;
   return Quadrangulation{std::move(quads.mesh),
                          std::move(quads.valences),
                          std::move(quads.chart_of_quad),
                          std::move(*editor),
-                         std::move(finished->relaxation),
-                         finished->features,
-                         finished->subdivided_quads,
-                         finished->t_junctions + quads.t_junctions,
-                         collapsed,
+                         std::move(*recipe),
+                         std::move(finished.relaxation),
+                         finished.features,
+                         finished.subdivided_quads,
+                         finished.t_junctions + quads.t_junctions,
+                         made->collapsed,
                          flipped,
                          genus,
+                         std::move(*steps),
                          recorder.finish()};
 }
 
