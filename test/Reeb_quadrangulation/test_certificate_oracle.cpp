@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate against other people's answers: CGAL's Polygon_mesh_processing for intersections, and for topology a
 // table of real meshes with the genus, boundary loops and components that their sources give.
+#include "model_files.h"
 #include "tiny_quads.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
@@ -73,7 +74,9 @@ struct Known_model {
 
 std::vector<Known_model> known_models() {
   std::vector<Known_model> models;
-  std::ifstream table(std::string(REEBQUAD_MODELS_DIR) + "/TABLE.tsv");
+  const std::optional<std::string> list = model_file("TABLE.tsv");
+  if (!list) return models;
+  std::ifstream table(*list);
   std::string line, name;
   std::getline(table, line); // the heads of the columns
   while (std::getline(table, line)) {
@@ -117,16 +120,13 @@ TEST_CASE("Crumpled tori intersect where CGAL says so") {
   CHECK(found > 1000);
 }
 
-TEST_CASE("Real meshes have the genus, the loops and the components that are known of them") {
-  const std::vector<Known_model> models = known_models();
-  if (models.empty()) {
-    WARN("no folder of models: skipped");
-    return;
-  }
-  for (const Known_model& model : models) {
+TEST_CASE("Real meshes have the genus, the loops and the components that are known of them", "[models]") {
+  for (const Known_model& model : known_models()) {
     if (model.triangles > 30000) continue;
     CAPTURE(model.file);
-    const Result<Polygon_soup> soup = read_polygon_soup(std::string(REEBQUAD_MODELS_DIR) + "/" + model.file);
+    const std::optional<std::string> path = model_file(model.file);
+    REQUIRE(path);
+    const Result<Polygon_soup> soup = read_polygon_soup(*path);
     REQUIRE(bool(soup));
     Triangle_surface input;
     input.points = soup->points;

@@ -2,12 +2,12 @@
 #include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 
+#include "model_files.h"
 #include "tiny_surfaces.h"
 
 #include <Eigen/Dense>
 
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -141,36 +141,6 @@ int unconstrained_extrema(const Triangle_surface& s, const std::vector<double>& 
   int count = 0;
   for (std::size_t v = 0; v < f.size(); ++v) count += lower[v] != higher[v] && !fixed.count(int(v));
   return count;
-}
-
-// A minimal reader of triangle OFF and OBJ files: an empty surface where the file is not there.
-Triangle_surface model(const std::string& file) {
-  Triangle_surface s;
-  std::ifstream in(std::string(REEBQUAD_MODELS_DIR) + "/" + file);
-  std::string word;
-  if (file.substr(file.size() - 3) == "off") {
-    std::size_t vertices = 0, faces = 0, other;
-    in >> word >> vertices >> faces >> other;
-    s.points.resize(vertices);
-    s.triangles.resize(faces);
-    for (Point& p : s.points) in >> p[0] >> p[1] >> p[2];
-    for (Triangle& t : s.triangles) in >> other >> t[0] >> t[1] >> t[2];
-  } else {
-    for (std::string line; std::getline(in, line);) {
-      std::istringstream words(line);
-      words >> word;
-      Point p;
-      Triangle t;
-      if (word == "v" && words >> p[0] >> p[1] >> p[2]) s.points.push_back(p);
-      if (word != "f") continue;
-      for (int& i : t) {
-        words >> word;
-        i = std::stoi(word) - 1;
-      }
-      s.triangles.push_back(t);
-    }
-  }
-  return s.triangles.empty() ? s : tiny::connected(std::move(s));
 }
 
 } // namespace
@@ -381,11 +351,12 @@ TEST_CASE("a wanted extremum that is lost makes the weights positive everywhere"
   CHECK(local->clamped_everywhere);
 }
 
-TEST_CASE(
-    "real surfaces: positive weights give no spurious extremum, local clamping no more than cotangents") {
+TEST_CASE("real surfaces: positive weights give no spurious extremum, local clamping no more than cotangents",
+          "[models]") {
   for (const std::string file : {"rocker_arm_2500.obj", "bunny_low.off", "fandisk.obj", "kitten_6k.obj"}) {
-    const Triangle_surface s = model(file);
-    if (s.triangles.empty()) continue;
+    const std::optional<Triangle_surface> found = model(file);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     INFO(file);
     int low = 0, high = 0;
     for (int v = 0; v < s.number_of_vertices(); ++v) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Textures whose edges lie on the sharp edges inside their charts.
 #include "editor_sessions.h"
+#include "model_files.h"
 
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/fit_texture.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
-#include <filesystem>
 #include <iostream>
 
 using namespace CGAL::Reeb_quadrangulation;
@@ -256,17 +254,10 @@ TEST_CASE("edges that only the cutting of charts has made are not sharp, whateve
   CHECK(all == sharp);
 }
 
-TEST_CASE("the textures of the fandisk are fitted") {
-  const std::string file = std::string(REEBQUAD_MODELS_DIR) + "/fandisk.obj";
-  if (!std::filesystem::exists(file)) {
-    WARN("the fandisk is not there: skipped");
-    return;
-  }
-  const Result<Polygon_soup> soup = read_polygon_soup(file);
-  REQUIRE(bool(soup));
-  const Result<Mended_surface> mended = mend_surface(*soup);
-  REQUIRE(bool(mended));
-  Editor editor = session(mended->components[0].surface, Suggest{}, 600);
+TEST_CASE("the textures of the fandisk are fitted", "[models]") {
+  const std::optional<Triangle_surface> fandisk = model("fandisk.obj");
+  if (!fandisk) return;
+  Editor editor = session(*fandisk, Suggest{}, 600);
   const Mesh_statistics plain = finished(editor);
   check_fits(editor, 0.25);
   const Mesh_statistics fitted = finished(editor);

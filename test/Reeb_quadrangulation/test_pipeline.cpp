@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a surface to certified quads in one call: real models, placed extrema, scales, threads.
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include "layout_stages.h"
-
-#include <filesystem>
+#include "model_files.h"
 
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
-
-// The largest component of a model, or a surface without faces if the model is not there.
-Triangle_surface model(const std::string& file) {
-  const std::filesystem::path path = std::filesystem::path(REEBQUAD_MODELS_DIR) / file;
-  if (!std::filesystem::exists(path)) {
-    WARN(file << " is not in the folder of models: skipped");
-    return {};
-  }
-  const Result<Polygon_soup> soup = read_polygon_soup(path.string());
-  REQUIRE(bool(soup));
-  const Result<Mended_surface> mended = mend_surface(*soup);
-  REQUIRE(bool(mended));
-  return mended->components[0].surface;
-}
 
 Quadrangulation quads_of(const Triangle_surface& s, const Quadrangulation_options& options) {
   Result<Quadrangulation> result = quadrangulate(s, options);
@@ -88,10 +71,12 @@ const std::vector<std::string> open_models{"punctured_torus.obj", "annulus.obj",
 } // namespace
 
 TEST_CASE("real closed models: certified quads, 4 E vertices of valence 3 and S of valence 8, about as many "
-          "as asked") {
+          "as asked",
+          "[models]") {
   for (const std::string& file : small_models) {
-    const Triangle_surface s = model(file);
-    if (s.triangles.empty()) continue;
+    const std::optional<Triangle_surface> found = model(file);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     INFO(file);
     const Quadrangulation q = quads_of(s, unrelaxed(2000));
     CHECK(stages::faults(q.mesh, s, q.valences) == "");
@@ -112,10 +97,11 @@ TEST_CASE("real closed models: certified quads, 4 E vertices of valence 3 and S 
   }
 }
 
-TEST_CASE("real open models: certified quads, boundary loops kept, as many quads as asked") {
+TEST_CASE("real open models: certified quads, boundary loops kept, as many quads as asked", "[models]") {
   for (const std::string& file : open_models) {
-    const Triangle_surface s = model(file);
-    if (s.triangles.empty()) continue;
+    const std::optional<Triangle_surface> found = model(file);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     INFO(file);
     const Quadrangulation q = quads_of(s, unrelaxed(2000));
     CHECK(stages::faults(q.mesh, s, q.valences) == "");
@@ -124,9 +110,10 @@ TEST_CASE("real open models: certified quads, boundary loops kept, as many quads
   }
 }
 
-TEST_CASE("collapsing thin charts changes no extraordinary vertex") {
-  const Triangle_surface s = model("coupling_g9.off");
-  if (s.triangles.empty()) return;
+TEST_CASE("collapsing thin charts changes no extraordinary vertex", "[models]") {
+  const std::optional<Triangle_surface> found = model("coupling_g9.off");
+  if (!found) return;
+  const Triangle_surface& s = *found;
   Quadrangulation_options options = unrelaxed(2000);
   const Quadrangulation thick = quads_of(s, options);
   options.collapse_thin = false;
@@ -142,10 +129,11 @@ TEST_CASE("collapsing thin charts changes no extraordinary vertex") {
   CHECK(stages::faults(thin.mesh, s, thin.valences) == "");
 }
 
-TEST_CASE("scale and place of the surface do not matter to the connectivity") {
+TEST_CASE("scale and place of the surface do not matter to the connectivity", "[models]") {
   for (const std::string file : {"rocker_arm_2500.obj", "eight_low.off", "elk.off"}) {
-    const Triangle_surface s = model(file);
-    if (s.triangles.empty()) continue;
+    const std::optional<Triangle_surface> found = model(file);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     const Quadrangulation q = quads_of(s, unrelaxed(1000));
     const double d = diagonal(s);
     const std::pair<const char*, Triangle_surface> others[] = {
@@ -164,10 +152,11 @@ TEST_CASE("scale and place of the surface do not matter to the connectivity") {
   }
 }
 
-TEST_CASE("one thread and two give the same bytes") {
+TEST_CASE("one thread and two give the same bytes", "[models]") {
   for (const std::string file : {"eight_low.off", "goathead.obj"}) {
-    const Triangle_surface s = model(file);
-    if (s.triangles.empty()) continue;
+    const std::optional<Triangle_surface> found = model(file);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     Quadrangulation_options options;
     options.quads = 1000;
     options.threads = 1;
@@ -193,10 +182,12 @@ TEST_CASE("relaxation moves vertices and keeps the connectivity") {
 }
 
 TEST_CASE("a fold that is narrower than the quads is cut off, so that they do not meet; no two vertices come "
-          "together") {
+          "together",
+          "[models]") {
   for (const std::string file : {"cow.off", "coupling_g9.off"}) {
-    const Triangle_surface s = model(file);
-    if (s.triangles.empty()) continue;
+    const std::optional<Triangle_surface> found = model(file);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     INFO(file);
     Quadrangulation_options options;
     options.quads = 3000;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model_files.h"
 #include "tiny_surfaces.h"
 
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -337,15 +335,11 @@ TEST_CASE("what is no plane is refused") {
   CHECK(result.error().index == 2);
 }
 
-TEST_CASE("real meshes, cut through vertices and along triangles") {
+TEST_CASE("real meshes, cut through vertices and along triangles", "[models]") {
   for (const char* name : {"bunny_low.off", "double_torus.obj", "coupling_g9.off", "aqua_center_open.off"}) {
-    const std::filesystem::path path = std::filesystem::path(REEBQUAD_MODELS_DIR) / name;
-    if (!std::filesystem::exists(path)) continue;
-    const auto soup = read_polygon_soup(path.string());
-    REQUIRE(bool(soup));
-    const auto mended = mend_surface(*soup);
-    REQUIRE(bool(mended));
-    const Triangle_surface& s = mended->components.front().surface;
+    const std::optional<Triangle_surface> found = model(name);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     for (int i = 1; i <= 3; ++i) {
       const Triangle& t = s.triangles[s.number_of_faces() / 4 * i];
       for (int axis = 0; axis < 3; ++axis)

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/Surface_editor.h"
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
+#include "model_files.h"
 #include "tiny_surfaces.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <filesystem>
 
 using namespace CGAL::Reeb_quadrangulation;
 using tiny::connected;
@@ -131,17 +129,6 @@ Prepared_surface prepared(const Triangle_surface& s, const Prepare_options& opti
   auto result = prepare_surface(s, options);
   REQUIRE(bool(result));
   return *result;
-}
-
-// The largest component of a model, or an empty surface if the models are not at hand.
-Triangle_surface model(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(REEBQUAD_MODELS_DIR) / name;
-  if (!std::filesystem::exists(path)) return {};
-  const auto soup = read_polygon_soup(path.string());
-  REQUIRE(bool(soup));
-  auto mended = mend_surface(*soup);
-  REQUIRE(bool(mended));
-  return std::move(mended->components.front().surface);
 }
 
 } // namespace
@@ -313,8 +300,9 @@ TEST_CASE("an observer can stop the preparation") {
 TEST_CASE("CAD models get usable triangles", "[models]") {
   for (const char* name : {"fandisk.obj", "block.off", "casting.off", "joint_cad.off", "anchor_g4.off",
                            "coupling_g9.off", "helmet_g3.off", "plane_27holes.obj", "holes_7loops.off"}) {
-    const Triangle_surface s = model(name);
-    if (s.triangles.empty()) return;
+    const std::optional<Triangle_surface> found = model(name);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     INFO(name);
     Prepare_options options;
     options.max_edge = std::sqrt(area(s) / 3000);
@@ -329,8 +317,9 @@ TEST_CASE("CAD models get usable triangles", "[models]") {
 
 TEST_CASE("on scanned models little is done", "[models]") {
   for (const char* name : {"rocker_arm.obj", "turbineblade_200k.ply", "camelhead.off"}) {
-    const Triangle_surface s = model(name);
-    if (s.triangles.empty()) return;
+    const std::optional<Triangle_surface> found = model(name);
+    if (!found) continue;
+    const Triangle_surface& s = *found;
     const double target = std::sqrt(area(s) / 3000);
     Prepare_options options;
     options.max_edge = target;

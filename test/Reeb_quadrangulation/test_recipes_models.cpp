@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The designs of the paper on real meshes, where their folder is there.
+#include "model_files.h"
 #include "recipe_table.h"
 
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
 #include <iostream>
 
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
-
-Triangle_surface model(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(REEBQUAD_MODELS_DIR) / name;
-  if (!std::filesystem::exists(file)) {
-    WARN(name << " is not there: skipped");
-    return {};
-  }
-  const Result<Polygon_soup> soup = read_polygon_soup(file.string());
-  REQUIRE(bool(soup));
-  Result<Mended_surface> mended = mend_surface(*soup);
-  REQUIRE(bool(mended));
-  REQUIRE(mended->components.size() == 1);
-  return std::move(mended->components[0].surface);
-}
 
 Stitched_mesh finished(const Triangle_surface& surface, const Recipe& recipe) {
   Result<Editor> editor = Editor::create(surface, recipe.options);
@@ -41,16 +25,18 @@ Stitched_mesh finished(const Triangle_surface& surface, const Recipe& recipe) {
 } // namespace
 
 TEST_CASE(
-    "a recipe for a real mesh gives certified quads with exactly the extraordinary vertices that it is for") {
+    "a recipe for a real mesh gives certified quads with exactly the extraordinary vertices that it is for",
+    "[models]") {
   for (const recipes::Entry& entry : recipes::table())
-    if (const Triangle_surface surface = entry.model.empty() ? Triangle_surface() : model(entry.model);
-        surface.number_of_faces() > 0)
-      recipes::check(entry, surface);
+    if (const auto surface = entry.model.empty() ? std::nullopt : model(entry.model))
+      recipes::check(entry, *surface);
 }
 
-TEST_CASE("the rocker arm's hammer has its corners by cube subdivision, and has not by contours alone") {
-  const Triangle_surface surface = model("rocker_arm.obj");
-  if (surface.number_of_faces() == 0) return;
+TEST_CASE("the rocker arm's hammer has its corners by cube subdivision, and has not by contours alone",
+          "[models]") {
+  const std::optional<Triangle_surface> found = model("rocker_arm.obj");
+  if (!found) return;
+  const Triangle_surface& surface = *found;
   Recipe recipe = recipes::recipe("rocker_arm_hammer"), contours = recipe;
   const Stitched_mesh quads = finished(surface, recipe);
   // The same atlas, filled regularly with as many quads.
@@ -78,9 +64,10 @@ TEST_CASE("the rocker arm's hammer has its corners by cube subdivision, and has 
               << theirs.scaled_jacobian_histogram[i] << '\n';
 }
 
-TEST_CASE("bimba's bow is denser than the rest, whose textures stay as they were") {
-  const Triangle_surface surface = model("bimba.obj");
-  if (surface.number_of_faces() == 0) return;
+TEST_CASE("bimba's bow is denser than the rest, whose textures stay as they were", "[models]") {
+  const std::optional<Triangle_surface> found = model("bimba.obj");
+  if (!found) return;
+  const Triangle_surface& surface = *found;
   const Recipe recipe = recipes::recipe("bimba_bow");
   Result<Editor> editor = Editor::create(surface, recipe.options);
   REQUIRE(bool(editor));

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Relaxing never makes a mesh worse, whatever it is given.
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
+#include "model_files.h"
 #include "tiny_quads.h"
 #include "tiny_surfaces.h"
 
 #include <catch2/catch.hpp>
-
-#include <filesystem>
 
 using namespace CGAL::Reeb_quadrangulation;
 
@@ -82,27 +79,26 @@ TEST_CASE("inverted quads go to zero where some position of the vertices allows 
   }
 }
 
-TEST_CASE("built-in shapes and real meshes: what the pipeline makes is not made worse either") {
-  std::vector<std::pair<std::string, Triangle_surface>> surfaces;
-  for (const char* name : {"hand", "bitorus", "twisted-bar"})
-    surfaces.push_back({name, *make_shape(name, 3000)});
+void check_pipeline(const std::string& name, Triangle_surface s) {
+  INFO(name);
+  REQUIRE(s.connect());
+  Quadrangulation_options options;
+  options.quads = 600;
+  options.relax = false;
+  const auto made = quadrangulate(s, options);
+  REQUIRE(made);
+  Quad_mesh mesh = made->mesh;
+  const Surface_projector projector(s);
+  for (Point& p : mesh.points) p = projector.closest(p).point;
+  for (const bool anchors : {false, true}) check_relaxing(mesh, s, anchors);
+}
+
+TEST_CASE("built-in shapes: what the pipeline makes is not made worse either") {
+  for (const char* name : {"hand", "bitorus", "twisted-bar"}) check_pipeline(name, *make_shape(name, 3000));
+}
+
+TEST_CASE("real meshes: what the pipeline makes is not made worse either", "[models]") {
   for (const char* name :
-       {"rocker_arm_2500.obj", "cow.off", "spot_6k.obj", "kitten_6k.obj", "torso_open.off"}) {
-    const std::string file = std::string(REEBQUAD_MODELS_DIR) + "/" + name;
-    if (!std::filesystem::exists(file)) continue;
-    surfaces.push_back({name, mend_surface(*read_polygon_soup(file))->components.at(0).surface});
-  }
-  for (auto& [name, s] : surfaces) {
-    INFO(name);
-    REQUIRE(s.connect());
-    Quadrangulation_options options;
-    options.quads = 600;
-    options.relax = false;
-    const auto made = quadrangulate(s, options);
-    REQUIRE(made);
-    Quad_mesh mesh = made->mesh;
-    const Surface_projector projector(s);
-    for (Point& p : mesh.points) p = projector.closest(p).point;
-    for (const bool anchors : {false, true}) check_relaxing(mesh, s, anchors);
-  }
+       {"rocker_arm_2500.obj", "cow.off", "spot_6k.obj", "kitten_6k.obj", "torso_open.off"})
+    if (std::optional<Triangle_surface> s = model(name)) check_pipeline(name, std::move(*s));
 }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model_files.h"
 #include "tiny_surfaces.h"
 
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <set>
 
@@ -255,12 +253,7 @@ TEST_CASE("a coarse mesh of a solid gets extrema that are not adjacent") {
     CHECK_FALSE((std::count(v.begin(), v.end(), s.source(h)) && std::count(v.begin(), v.end(), s.target(h))));
 }
 
-TEST_CASE("scanned and modelled shapes get one extremum for each limb") {
-  const std::filesystem::path models = REEBQUAD_MODELS_DIR;
-  if (!std::filesystem::is_directory(models)) {
-    WARN("skipped: there are no models in " << models);
-    return;
-  }
+TEST_CASE("scanned and modelled shapes get one extremum for each limb", "[models]") {
   struct Expected {
     const char* file;
     std::size_t extrema; // at a persistence of a tenth
@@ -272,12 +265,10 @@ TEST_CASE("scanned and modelled shapes get one extremum for each limb") {
                                    {"bunny.obj", 4},
                                    {"rocker_arm.obj", 2}}) {
     INFO(expected.file);
-    const auto soup = read_polygon_soup((models / expected.file).string());
-    REQUIRE(bool(soup));
-    const auto mended = mend_surface(*soup);
-    REQUIRE(bool(mended));
+    const std::optional<Triangle_surface> surface = model(expected.file);
+    if (!surface) continue;
     Suggestion_options options;
     options.persistence = 0.1;
-    CHECK(suggest(mended->components.front().surface, options).extrema.size() == expected.extrema);
+    CHECK(suggest(*surface, options).extrema.size() == expected.extrema);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the check finds on tiny soups, what mending makes of them, and both on real meshes.
 #include "mesh_samples.h"
+#include "model_files.h"
 #include "tiny_surfaces.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
@@ -676,9 +677,10 @@ TEST_CASE("every file of the corpus ends as its table says") {
   CHECK(files >= 19);
 }
 
-TEST_CASE("the real meshes have the genus, the boundaries and the components of their table") {
-  std::ifstream table(std::string(REEBQUAD_MODELS_DIR) + "/TABLE.tsv");
-  if (!table) return; // the folder with the meshes is not here
+TEST_CASE("the real meshes have the genus, the boundaries and the components of their table", "[models]") {
+  const std::optional<std::string> list = model_file("TABLE.tsv");
+  if (!list) return;
+  std::ifstream table(*list);
   std::string line;
   std::getline(table, line);
   int meshes = 0;
@@ -689,7 +691,9 @@ TEST_CASE("the real meshes have the genus, the boundaries and the components of 
     in >> name >> file >> points >> faces >> expected_genus >> boundaries >> components >> manifold;
     if (manifold != "yes") continue;
     INFO(name);
-    const Result<Polygon_soup> read = read_polygon_soup(std::string(REEBQUAD_MODELS_DIR) + "/" + file);
+    const std::optional<std::string> path = model_file(file);
+    REQUIRE(path);
+    const Result<Polygon_soup> read = read_polygon_soup(*path);
     if (!read) FAIL(read.error().message);
     CHECK(read->number_of_points() == points);
     CHECK(read->number_of_polygons() == faces);
