@@ -8,6 +8,7 @@ import { PlaceMark } from "./scene/place_mark";
 import { Stage } from "./scene/stage";
 import { Viewport } from "./scene/viewport";
 import { Store } from "./store";
+import type { Workbench } from "./workbench";
 import { DragContourTool } from "./tools/drag_contour";
 import { DragEdits } from "./tools/drag_edits";
 import { ExtremumTool } from "./tools/extremum";
@@ -46,7 +47,7 @@ const advice: Record<string, string> = {
 /** Commands after which an earlier failure is of no interest. */
 const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "component"]);
 
-export class App {
+export class App implements Workbench {
   readonly store = new Store();
   readonly toasts: Toasts;
   readonly connection: Connection;

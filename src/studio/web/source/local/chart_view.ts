@@ -4,31 +4,16 @@ import * as THREE from "three";
 import type { Frame } from "../net/frame";
 import { Lines, markers } from "../scene/lines";
 import { markerMaterial, Shape } from "../scene/materials";
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import { h, icon, readable, replace } from "../ui/dom";
 import { icons } from "../ui/icons";
-import { Texture, type Place, type PlanePoint } from "./texture";
-
-/** Takes the pointer in the plane; null where it left. */
-export interface PlaneListener {
-  hover(at: PlanePoint | null): void;
-  press?(at: PlanePoint): void;
-  drag?(at: PlanePoint): void;
-  release?(at: PlanePoint): void;
-}
-
-/** What shines in both views. */
-export interface Shine {
-  places: Place[];
-  vertices: number[];
-  /** Points of the surface that stay. */
-  anchors: THREE.Vector3[];
-}
+import type { ChartDisplay, PlaneListener, Shine } from "./chart_display";
+import { Texture, type PlanePoint } from "./texture";
 
 const margin = 26;
 const glowColour = "#ffb454", anchorColour = "#4aa8ff";
 
-export class ChartView {
+export class ChartView implements ChartDisplay {
   readonly panel = h("section", { className: "chart-view", hidden: true, "aria-label": "The texture of a chart" });
   texture: Texture | null = null;
   /** Gets the pointer instead of the view's own highlight. */
@@ -43,7 +28,7 @@ export class ChartView {
   private shine: Shine = { places: [], vertices: [], anchors: [] };
   private pressed = false;
 
-  constructor(private readonly app: App) {
+  constructor(private readonly app: Workbench) {
     const close = h("button", { className: "ghost small", title: "Close", "aria-label": "Close", onclick: () => app.store.set("chart", -1) }, icon(icons.close));
     replace(this.panel, h("header", {}, this.title, this.facts, h("span", { className: "spring" }), close), this.canvas);
     this.listen();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import { icons } from "../ui/icons";
 import { pick, surfacePoint, type Picked } from "./pick";
 import type { Tool } from "./tool";
@@ -13,7 +13,7 @@ export class DragContourTool implements Tool {
   private grabbed: Picked | null = null;
   private moves = false;
 
-  constructor(private readonly app: App) {}
+  constructor(private readonly app: Workbench) {}
 
   hint(): string {
     return "Drag a contour without saddles to where it is to run.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import type { CriticalPoint } from "../scene/stage";
 import { h } from "../ui/dom";
 import { icons } from "../ui/icons";
@@ -20,7 +20,7 @@ export class ExtremumTool implements Tool {
   private dragged: CriticalPoint | null = null;
   private moves = false;
 
-  constructor(private readonly app: App) {}
+  constructor(private readonly app: Workbench) {}
 
   hint(): string {
     if (this.chosen) return "Press Delete to remove this extremum, or drag it elsewhere.";

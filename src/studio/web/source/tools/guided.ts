@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tools that are a sequence of clicks: each has a table of what to click, and makes an edit of it.
 import * as THREE from "three";
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import type { Edit } from "../net/messages";
 import { markers } from "../scene/lines";
 import { markerMaterial, Shape } from "../scene/materials";
@@ -103,7 +103,7 @@ export class GuidedTool implements Tool {
   private readonly marks = new THREE.Group();
   private readonly material = markerMaterial();
 
-  constructor(private readonly app: App, private readonly guide: Guide) {
+  constructor(private readonly app: Workbench, private readonly guide: Guide) {
     this.id = guide.id;
     this.name = guide.name;
     this.key = guide.key;

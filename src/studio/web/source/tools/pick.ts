@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a click can mean, and how it is written in an edit.
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import type { Vector } from "../net/messages";
 import type * as THREE from "three";
 
@@ -19,7 +19,7 @@ export const missed: Record<Target, string> = {
   contour: "There is no contour here: they are the dark curves.",
 };
 
-export function pick(app: App, event: PointerEvent, target: Target): Picked | null {
+export function pick(app: Workbench, event: PointerEvent, target: Target): Picked | null {
   const { stage, viewport } = app;
   if (target === "saddle" || target === "extremum") {
     const point = stage.criticalAt(event);
@@ -37,11 +37,11 @@ function nearest(points: THREE.Vector3[], to: THREE.Vector3): THREE.Vector3 {
 }
 
 /** A point of the picture as edits name it: in the coordinates of the file. */
-export function surfacePoint(app: App, point: THREE.Vector3): { point: Vector } {
+export function surfacePoint(app: Workbench, point: THREE.Vector3): { point: Vector } {
   return { point: filePoint(app, point) };
 }
 
-export function filePoint(app: App, point: THREE.Vector3): Vector {
+export function filePoint(app: Workbench, point: THREE.Vector3): Vector {
   const [x, y, z] = app.store.get("state")?.file?.origin ?? [0, 0, 0];
   return [point.x + x, point.y + y, point.z + z];
 }

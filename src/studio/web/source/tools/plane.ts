@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import * as THREE from "three";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import { RequestError } from "../net/connection";
 import type { Edit } from "../net/messages";
 import { Lines, markers, polylinePairs } from "../scene/lines";
@@ -45,7 +45,7 @@ export class PlaneTool implements Tool {
   private timer = 0;
   private question = 0;
 
-  constructor(private readonly app: App) {
+  constructor(private readonly app: Workbench) {
     this.plane = new THREE.Mesh(
       new THREE.PlaneGeometry(1, 1),
       new THREE.MeshBasicMaterial({ color: 0x5fa8ff, transparent: true, opacity: 0.16, side: THREE.DoubleSide, depthWrite: false }),

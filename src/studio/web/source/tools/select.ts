@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import { icons } from "../ui/icons";
 import type { Tool } from "./tool";
 
@@ -13,7 +13,7 @@ export class SelectTool implements Tool {
   /** The other part of the file that the pointer is on, or 0. */
   private part = 0;
 
-  constructor(private readonly app: App) {}
+  constructor(private readonly app: Workbench) {}
 
   hint(): string {
     if (this.part > 0) return `Click to work on part ${this.part}.`;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits the texture of the chart that is open, in the plane or on the surface.
 import * as THREE from "three";
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import type { Place, PlaceKind, PlanePoint, Texture } from "../local/texture";
 import type { Edit } from "../net/messages";
 import { h } from "../ui/dom";
@@ -74,7 +74,7 @@ export class TextureTool implements Tool {
   private grabbed: { texture: Texture; name: THREE.Vector3 } | null = null;
   private moved = false;
 
-  constructor(private readonly app: App) {}
+  constructor(private readonly app: Workbench) {}
 
   hint(): string {
     if (!this.texture) return "Click a chart to open its texture.";

@@ -27,3 +27,11 @@ export interface Tool {
   /** The shown data changed. */
   refresh?(): void;
 }
+
+/** What one tool sees of them all: the line and the corner of the view where the active one speaks. */
+export interface Tools {
+  /** The tool's own controls, in the corner of the view. */
+  setBox(box: HTMLElement | null): void;
+  /** Says the active tool's hint anew. */
+  tellHint(bad?: boolean): void;
+}

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rail of tools, the hint line, and who gets the pointer.
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import { h, icon } from "../ui/dom";
 import type { KeyNotes, Shortcut } from "../ui/keyboard";
-import type { Tool } from "./tool";
+import type { Tool, Tools } from "./tool";
 
 const clickTolerance = 4; // pixels that a click may move
 
-export class ToolBox {
+export class ToolBox implements Tools {
   private readonly tools: Tool[] = [];
   private active: Tool | null = null;
   private readonly hintLine = h("div", { className: "hint-line", role: "status" });
   private readonly boxHost = h("div", {});
   private pressed: { x: number; y: number; claimed: boolean } | null = null;
 
-  constructor(private readonly app: App, overlay: HTMLElement) {
+  constructor(private readonly app: Workbench, overlay: HTMLElement) {
     overlay.append(this.hintLine, this.boxHost);
     const canvas = app.viewport.canvas;
     // Before the camera's own listeners, so that a tool can claim the drag.

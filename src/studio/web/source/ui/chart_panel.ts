@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import type { ChartFacts, Edit } from "../net/messages";
 import { surfacePoint } from "../tools/pick";
 import { h, replace } from "./dom";
 
 /** What can be done with the chart that is chosen. */
-export function chartPanel(app: App): HTMLElement {
+export function chartPanel(app: Workbench): HTMLElement {
   const host = h("div", { className: "chart-panel" });
   app.store.watch(["state", "chart"], () => {
     const id = app.store.get("chart");
@@ -16,7 +16,7 @@ export function chartPanel(app: App): HTMLElement {
   return host;
 }
 
-function controls(app: App, chart: ChartFacts): HTMLElement[] {
+function controls(app: Workbench, chart: ChartFacts): HTMLElement[] {
   const send = (make: (at: object) => Edit): void => {
     const point = app.stage.surface.insideOf(chart.id);
     if (!point) return app.toasts.show("This chart is too small", "It has no vertex inside that an edit could name.", "bad");

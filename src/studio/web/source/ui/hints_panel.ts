@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import * as THREE from "three";
-import type { App } from "../app";
+import type { Workbench } from "../workbench";
 import { RequestError } from "../net/connection";
 import type { Hint, State } from "../net/messages";
 import { PlaceMark } from "../scene/place_mark";
@@ -18,7 +18,7 @@ export class HintsPanel {
   private asked = -1;
   private busy = false;
 
-  constructor(private readonly app: App) {
+  constructor(private readonly app: Workbench) {
     this.mark = new PlaceMark(app.viewport);
     app.store.watch(["state"], () => this.follow());
   }
