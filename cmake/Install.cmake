@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Install rules: headers, the static library, the program, and the package config for find_package.
+# Install rules: headers, the libraries, the program, and what finds them: a CMake package and a pkg-config file.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Reeb_quadrangulation)
 
-install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development FILES_MATCHING PATTERN "*.h")
 install(TARGETS Reeb_quadrangulation Reeb_quadrangulation_picture EXPORT Reeb_quadrangulationTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-if(TARGET reebquad)
-  install(TARGETS reebquad RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT program NAMELINK_COMPONENT development
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+if(REEBQUAD_CLI)
+  install(TARGETS reebquad RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
-install(EXPORT Reeb_quadrangulationTargets NAMESPACE Reeb_quadrangulation:: DESTINATION ${package_dir})
+install(EXPORT Reeb_quadrangulationTargets NAMESPACE Reeb_quadrangulation:: DESTINATION ${package_dir} COMPONENT development)
 
+# The major version of CGAL that the library was compiled with: its templates are in the binary.
 configure_package_config_file(cmake/Reeb_quadrangulationConfig.cmake.in
   ${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfigVersion.cmake
@@ -18,4 +21,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfi
 # A static library passes its private dependencies on to the linker, so the module that finds CHOLMOD goes along.
 install(FILES ${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfig.cmake
   ${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfigVersion.cmake cmake/FindCHOLMOD.cmake
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} COMPONENT development)
+
+configure_file(packaging/reeb_quadrangulation.pc.in ${PROJECT_BINARY_DIR}/reeb_quadrangulation.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/reeb_quadrangulation.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
