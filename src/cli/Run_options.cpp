@@ -2,10 +2,11 @@
 #include "Run_options.h"
 
 #include "Input.h"
+#include "Number_list.h"
+#include "Outputs.h"
+#include "Text_input.h"
 
 #include <cmath>
-#include <fstream>
-#include <locale>
 #include <sstream>
 
 namespace reebquad {
@@ -17,47 +18,11 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// Three finite numbers separated by `separator` (a blank stands for any white space) and nothing else.
-std::optional<Point> parse_point(std::string text, char separator) {
-  for (char& c : text)
-    if (separator != ' ' && c == separator) c = ' ';
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  Point p;
-  if (!(stream >> p.x() >> p.y() >> p.z()) || !p.allFinite()) return std::nullopt;
-  stream >> std::ws;
-  return stream.eof() ? std::optional<Point>(p) : std::nullopt;
-}
-
 Point point_option(const char* option, const std::string& text) {
   const std::optional<Point> p = parse_point(text, ',');
   if (!p)
     throw Usage_error(std::string(option) + " takes three numbers as in 0,0.5,1; it got '" + text + "'");
   return *p;
-}
-
-/// Lines "min x y z" and "max x y z"; empty lines and what follows a '#' are skipped.
-std::vector<Placed_extremum> read_extrema(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
-  std::vector<Placed_extremum> extrema;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    line.erase(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    std::istringstream words(line);
-    std::string kind, rest;
-    words >> kind;
-    std::getline(words, rest);
-    const std::optional<Point> p = parse_point(rest, ' ');
-    if ((kind != "min" && kind != "max") || !p)
-      throw Failure(Exit_code::unreadable_file,
-                    file + ": line " + std::to_string(number) + ": expected 'min x y z' or 'max x y z'");
-    extrema.push_back({*p, kind == "max"});
-  }
-  if (stream.bad()) throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
-  if (extrema.empty()) throw Failure(Exit_code::unreadable_file, file + ": it places no extremum");
-  return extrema;
 }
 
 /// The value that stands for `text` in a list of names.
@@ -124,12 +89,14 @@ void declare(Command_line& line) {
       ("timings", "print the seconds and the memory of every stage")                         //
       ("quiet", "print errors only");
   declare_mending(line);
+  declare_force(line);
   line.take("FILE");
 }
 
 std::vector<Placed_extremum> placed_extrema(const Command_line& line) {
   std::vector<Placed_extremum> extrema;
-  if (line.has("extrema")) extrema = read_extrema(line.text("extrema"));
+  if (line.has("extrema"))
+    extrema = value_or_fail(parse_extrema(read_lines(line.text("extrema"))), line.text("extrema"));
   for (const char* option : {"min", "max"}) {
     if (!line.has(option)) continue;
     for (const std::string& text : line.values[option].as<Texts>())
@@ -184,6 +151,9 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   if (line.has("component")) options.component = in_range(line, "component", 1, 1000000000);
   if (line.has("write-recipe")) options.recipe = line.text("write-recipe");
   if (line.has("pictures")) options.pictures = line.text("pictures");
+  keep_inputs(line, {{options.input, line.has("extrema") ? line.text("extrema") : ""},
+                     {options.output, options.report, options.html, options.recipe},
+                     options.pictures});
   options.mending = mending(line);
   options.timings = line.has("timings");
   options.quiet = line.has("quiet");

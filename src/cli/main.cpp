@@ -2,11 +2,19 @@
 // The dispatcher: finds the subcommand, runs it, and turns what escapes from it into a sentence and an exit code.
 #include "Command.h"
 #include "Interruption.h"
+#include "Printable.h"
 
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <system_error>
+#include <unistd.h>
 
 namespace {
 
@@ -63,9 +71,44 @@ Exit_code guarded_dispatch(const Arguments& arguments) {
   }
 }
 
+/// What no one catches, as what is thrown in another thread: there is no stack to go back to, and perhaps no memory.
+[[noreturn]] void end_unguarded() {
+  const char* sentence = "reebquad: an error that is a defect of the program\n";
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    sentence = "reebquad: memory ran out\n";
+  } catch (const std::system_error&) {
+    sentence = "reebquad: the system refused a thread or a file\n";
+  } catch (...) {
+    std::abort(); // with a core to look into
+  }
+  [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, sentence, std::strlen(sentence));
+  ::_exit(static_cast<int>(Exit_code::other_failure));
+}
+
+/// What a process must expect of a shell: pipes that are closed and files that may not grow are errors of writing, which are told.
+void prepare_process() {
+  watch_for_interruption(); // first of all, so that an early Ctrl-C gets its exit code too
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::set_terminate(end_unguarded);
+}
+
+/// What was printed but could not be written is no success.
+Exit_code flushed(Exit_code code) {
+  std::cout.flush();
+  errno = 0;
+  if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  const std::string why = errno != 0 ? std::generic_category().message(errno) : "it is closed";
+  return fail("the standard output cannot be written: " + why,
+              code == Exit_code::success ? Exit_code::other_failure : code);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-  watch_for_interruption(); // first of all, so that an early Ctrl-C gets its exit code too
-  return static_cast<int>(guarded_dispatch({argv + 1, argv + argc}));
+  prepare_process();
+  const Printable out(std::cout), err(std::cerr);
+  return static_cast<int>(flushed(guarded_dispatch({argv + 1, argv + argc})));
 }

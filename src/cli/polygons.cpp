@@ -2,6 +2,7 @@
 // reebquad polygons QUADS -o OUT: writes a quad mesh as hexagons or other polygons.
 #include "Command.h"
 #include "Input.h"
+#include "Outputs.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
@@ -52,10 +53,14 @@ Exit_code execute_polygons(const Arguments& arguments) {
       "hex: hexagons; dual: a polygon around every vertex; diagonal: a quad for every edge")(
       "on", text("INPUT"), "put the corners on this triangle surface")("picture", text("FILE"),
                                                                        "draw the polygons as PNG");
+  declare_force(line);
   line.take("QUADS");
   if (!line.parse(arguments)) return Exit_code::success;
   const std::string file = line.required("QUADS"), output = line.required("output");
   require_writable_format(output);
+  keep_inputs(line, {{file, line.has("on") ? line.text("on") : ""},
+                     {output, line.has("picture") ? line.text("picture") : ""},
+                     ""});
   const Polygon_kind kind = kind_of(line.text("kind"));
   Polygon_soup mesh = value_or_fail(polygon_mesh(quads_of(read_soup(file), file), kind), file);
   if (line.has("on")) put_on_surface(mesh, line.text("on"));

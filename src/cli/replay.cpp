@@ -4,6 +4,7 @@
 #include "Design_output.h"
 #include "Input.h"
 #include "Interruption.h"
+#include "Outputs.h"
 #include "Recipe_input.h"
 #include "Terminal_observer.h"
 
@@ -43,6 +44,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "feature-angle", po::value<double>()->value_name("DEGREES"),
       "quads keep edges whose faces' normals differ by more; 0: none; by default what the recipe says")(
       "feature-lines", "lay whole lines of quads' edges onto sharp edges")("quiet", "print errors only");
+  declare_force(line);
   line.take("INPUT");
   line.take("RECIPE");
   if (!line.parse(arguments)) return std::nullopt;
@@ -52,6 +54,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   options.output = line.required("output");
   if (line.has("report")) options.report = line.text("report");
   if (line.has("pictures")) options.pictures = line.text("pictures");
+  keep_inputs(line, {{options.input, options.recipe}, {options.output, options.report}, options.pictures});
   if (line.has("until")) {
     options.until = line.values["until"].as<int>();
     if (options.until < 1) throw Usage_error("--until takes the number of edits to apply, 1 or more");

@@ -2,6 +2,7 @@
 // reebquad suggest INPUT [RECIPE]: lists edits that are worth while, or takes them.
 #include "Command.h"
 #include "Interruption.h"
+#include "Outputs.h"
 #include "Recipe_input.h"
 #include "Terminal_observer.h"
 
@@ -56,6 +57,7 @@ std::optional<Suggest_options> parse_suggest_options(const Arguments& arguments)
                               "without a recipe: how many quads")("json", "print the hints as JSON")(
       "threads", po::value<int>()->value_name("N")->default_value(0),
       "how many threads; 0: as many as there are")("quiet", "print errors only");
+  declare_force(line);
   line.take("INPUT");
   line.take("RECIPE");
   if (!line.parse(arguments)) return std::nullopt;
@@ -71,8 +73,9 @@ std::optional<Suggest_options> parse_suggest_options(const Arguments& arguments)
   const int quads = line.values["quads"].as<int>(), threads = line.values["threads"].as<int>();
   if (quads < 1 || quads > 100000000) throw Usage_error("--quads lies between 1 and 100000000");
   if (threads < 0 || threads > 1024) throw Usage_error("--threads lies between 0 and 1024");
+  if (line.has("RECIPE")) options.recipe = line.text("RECIPE");
+  keep_inputs(line, {{options.input, options.recipe}, {options.output}, ""});
   if (line.has("RECIPE")) {
-    options.recipe = line.text("RECIPE");
     options.design = read_recipe(options.recipe);
   } else {
     options.design.options.quads = quads;

@@ -3,8 +3,10 @@
 #include "Command.h"
 #include "Input.h"
 #include "Interruption.h"
+#include "Outputs.h"
 #include "Patch_edits.h"
 #include "Recipe_input.h"
+#include "Text_input.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
@@ -16,7 +18,6 @@
 #include <CGAL/Reeb_quadrangulation/render.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace reebquad {
@@ -33,18 +34,6 @@ struct Texture_options {
   bool relax = true;
   bool quiet = false;
 };
-
-// The lines of a file that hold something beside a comment.
-std::vector<std::string> read_lines(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw Failure(Exit_code::unreadable_file, file + ": the file cannot be read");
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    line.erase(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
-  }
-  return lines;
-}
 
 std::optional<Texture_options> parse_texture_options(const Arguments& arguments) {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
@@ -66,6 +55,7 @@ std::optional<Texture_options> parse_texture_options(const Arguments& arguments)
       "the patches: between separatrices (the base complex), or every quad: everywhere")(
       "pictures", text("DIR"), "write pictures of the patches and of the result into this folder")(
       "no-relax", "do not relax the new vertices")("quiet", "print errors only");
+  declare_force(line);
   line.take("QUADS");
   if (!line.parse(arguments)) return std::nullopt;
   Texture_options options;
@@ -75,7 +65,11 @@ std::optional<Texture_options> parse_texture_options(const Arguments& arguments)
   if (line.has("pictures")) options.pictures = line.text("pictures");
   if (line.has("recipe")) options.recipe = line.text("recipe");
   if (line.has("write-recipe")) options.written_recipe = line.text("write-recipe");
-  if (line.has("ops")) options.operations = read_lines(line.text("ops"));
+  keep_inputs(line, {{options.quads, options.input, options.recipe, line.has("ops") ? line.text("ops") : ""},
+                     {options.output, options.written_recipe},
+                     options.pictures});
+  if (line.has("ops"))
+    for (Text_line& edit : read_lines(line.text("ops"))) options.operations.push_back(std::move(edit.text));
   if (line.has("op"))
     for (const std::string& edit : line.values["op"].as<std::vector<std::string>>())
       options.operations.push_back(edit);

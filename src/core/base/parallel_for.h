@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,8 +19,8 @@ inline int number_of_threads(int asked) {
   return asked > 0 ? asked : int(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, in increasing order of start. The first exception
-/// is thrown again when all threads have ended.
+/// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, and from fewer if the system gives no more, in increasing
+/// order of start. The first exception is thrown again when all threads have ended.
 template <class Work> void parallel_for(int n, int threads, const Work& work) {
   threads = std::min(threads, n);
   if (threads <= 1) {
@@ -39,7 +40,12 @@ template <class Work> void parallel_for(int n, int threads, const Work& work) {
     }
   };
   std::vector<std::thread> pool;
-  for (int t = 1; t < threads; ++t) pool.emplace_back(loop);
+  pool.reserve(std::size_t(threads));
+  try {
+    for (int t = 1; t < threads; ++t) pool.emplace_back(loop);
+  } catch (const std::system_error&) {
+    // Those that there are do it all.
+  }
   loop();
   for (std::thread& thread : pool) thread.join();
   if (failure) std::rethrow_exception(failure);

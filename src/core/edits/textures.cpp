@@ -2,6 +2,7 @@
 // Edits of connectivity textures in a design: points of the surface become places of a chart's texture.
 #include "base/segments.h"
 #include "edits/steps.h"
+#include "textures/observed_edit.h"
 
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
@@ -122,6 +123,8 @@ public:
   Result<std::vector<Texture_place>> places(int c, const std::vector<Surface_point>& points) const {
     std::vector<Texture_place> all;
     for (const Surface_point& p : points) {
+      if (m_draft.observer() && m_draft.observer()->cancelled())
+        return make_error(Error_code::cancelled, "cancelled by the user");
       const Result<Texture_place> found = place(c, p);
       if (!found) return found.error();
       all.push_back(*found);
@@ -135,8 +138,8 @@ public:
     if (std::holds_alternative<Subdivide_texture>(edits.front()) &&
         4.0 * double(texture(c).texture.quads.size()) > most_quads)
       return refuse("the texture would have too many quads", {}, Element_kind::chart, chart(c).id);
-    Result<Placed_texture> edited =
-        edit_texture(texture(c), *chart(c).chart, *chart(c).map, m_draft.before().samples, edits);
+    Result<Placed_texture> edited = internal::edit_observed(
+        texture(c), *chart(c).chart, *chart(c).map, m_draft.before().samples, edits, m_draft.observer());
     if (!edited) return in_chart(edited.error(), c);
     m_changed[c] = std::make_unique<Placed_texture>(std::move(*edited));
     m_textures[c] = m_changed[c].get();
@@ -308,7 +311,7 @@ std::vector<Texture_place> vertices_within(const Texturing& textures, int c, con
 } // namespace
 
 Result<Design> with_texture(const Draft& draft, const Relax_texture& edit) {
-  if (!(edit.radius >= 0) || edit.steps < 1 || edit.steps > 1000)
+  if (!(edit.radius >= 0) || edit.steps < 1 || edit.steps > internal::most_relaxing_steps)
     return make_error(Error_code::impossible_request,
                       "the radius is not negative, and the steps are 1 to 1000");
   const bool all = edit.scope == Edit_scope::surface;

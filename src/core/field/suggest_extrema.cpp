@@ -28,6 +28,9 @@ Result<void> check_request(const Triangle_surface& surface, const Suggestion_opt
   return {};
 }
 
+// Needles are so much longer than the radius, which is taken from the area, that they would get a source every few edges.
+constexpr int most_sources = 1000;
+
 // Sources that cover the graph with a radius, each as far as possible from those before it, and for every
 // node the sum of its distances to them, weighted by the areas of their Voronoi cells. Empty if cancelled.
 std::vector<double> integral_geodesic_function(const Metric_graph& graph, Graph_distances& distances,
@@ -49,7 +52,7 @@ std::vector<double> integral_geodesic_function(const Metric_graph& graph, Graph_
         nearest[i] = int(rows.size()) - 1;
       }
     source = farthest(to_nearest);
-    if (to_nearest[source] <= radius) break;
+    if (to_nearest[source] <= radius || int(rows.size()) >= most_sources) break;
   }
   std::vector<double> weight(rows.size(), 0), mu(n, 0);
   for (int i = 0; i < n; ++i) weight[nearest[i]] += graph.area[i];

@@ -3,6 +3,7 @@
 #define REEBQUAD_IO_FILE_DESCRIPTOR_H
 
 #include <unistd.h>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -11,8 +12,11 @@ namespace Reeb_quadrangulation {
 class File_descriptor {
 public:
   explicit File_descriptor(int descriptor) : m_descriptor(descriptor) {}
-  File_descriptor(const File_descriptor&) = delete;
-  File_descriptor& operator=(const File_descriptor&) = delete;
+  File_descriptor(File_descriptor&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
+  File_descriptor& operator=(File_descriptor&& other) noexcept {
+    std::swap(m_descriptor, other.m_descriptor);
+    return *this;
+  }
   ~File_descriptor() { close(); }
 
   int get() const { return m_descriptor; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 
+#include "base/parallel_for.h"
 #include "linear/kernels.h"
 #include "linear/symbolic.h"
 
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstring>
 #include <string>
-#include <thread>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -147,9 +147,12 @@ int Multifrontal_solver::Implementation::eliminate(int s, double* target, Scratc
     // Blocks are independent; the first 29 % of them are half of the triangle.
     const int middle = int(0.29 * blocks);
     std::vector<double> packed(internal::scratch_size(ld));
-    std::thread other(update_blocks, 0, middle, packed.data());
-    update_blocks(middle, blocks, scratch.packed.data());
-    other.join();
+    internal::parallel_for(2, 2, [&](int half) {
+      if (half == 0)
+        update_blocks(middle, blocks, scratch.packed.data());
+      else
+        update_blocks(0, middle, packed.data());
+    });
   } else {
     update_blocks(0, blocks, scratch.packed.data());
   }
@@ -257,11 +260,8 @@ std::vector<char> Multifrontal_solver::Implementation::dirty_fronts(const std::v
 // Returns the failing column (the smallest one of those that the threads meet) or -1.
 int Multifrontal_solver::Implementation::eliminate_all(const std::vector<char>& dirty) {
   std::vector<int> failed(threads, -1);
-  std::vector<std::thread> others;
-  for (int t = 1; t < threads; ++t)
-    others.emplace_back([this, &failed, &dirty, t] { failed[t] = run(tasks[t], stacks[t], dirty, false); });
-  failed[0] = run(tasks[0], stacks[0], dirty, false);
-  for (std::thread& other : others) other.join();
+  internal::parallel_for(threads, threads,
+                         [&](int t) { failed[t] = run(tasks[t], stacks[t], dirty, false); });
   int first = -1;
   for (const int f : failed)
     if (f >= 0 && (first < 0 || f < first)) first = f;

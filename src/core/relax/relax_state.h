@@ -3,6 +3,8 @@
 #ifndef REEBQUAD_RELAX_RELAX_STATE_H
 #define REEBQUAD_RELAX_RELAX_STATE_H
 
+#include "base/parallel_for.h"
+
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
 #include <Eigen/Geometry>
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <thread>
 #include <vector>
 
 namespace CGAL {
@@ -139,10 +140,7 @@ template <class F> void parallel_for(int n, int threads, const F& f) {
     for (int i = int(std::int64_t(n) * part / parts); i < int(std::int64_t(n) * (part + 1) / parts); ++i)
       f(i);
   };
-  std::vector<std::thread> helpers;
-  for (int part = 1; part < parts; ++part) helpers.emplace_back(run, part);
-  run(0);
-  for (std::thread& helper : helpers) helper.join();
+  internal::parallel_for(parts, parts, run);
 }
 
 } // namespace relaxation

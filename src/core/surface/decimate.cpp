@@ -73,6 +73,18 @@ Edge_nodes subdivide_long_edges(const Triangle_surface& s, double spacing, Metri
   return nodes;
 }
 
+// Patches, and nodes inside edges that are longer than two radii. Needles have much length for their area, and would get a node for
+// every vertex and eight for every edge: then the radius grows.
+Edge_nodes sample(const Triangle_surface& s, double radius, int nodes, Metric_graph& graph) {
+  const int most = 10 * nodes;
+  for (;; radius *= 2) {
+    graph = Metric_graph();
+    grow_patches(s, radius, graph);
+    Edge_nodes inside = subdivide_long_edges(s, 2 * radius, graph);
+    if (graph.size() <= most || !std::isfinite(radius) || graph.size() == 1) return inside;
+  }
+}
+
 // The nodes of side i of a face in order, its corners excluded.
 void side_nodes(const Triangle_surface& s, const Edge_nodes& nodes, int h, std::vector<int>& out) {
   const int e = s.edge(h);
@@ -152,8 +164,7 @@ Metric_graph decimate(const Triangle_surface& surface, int nodes) {
   std::vector<double> areas(surface.number_of_faces());
   for (int f = 0; f < surface.number_of_faces(); ++f) areas[f] = area(surface, f);
   const double radius = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.0) / (1.5 * nodes));
-  grow_patches(surface, radius, graph);
-  const Edge_nodes inside = subdivide_long_edges(surface, 2 * radius, graph);
+  const Edge_nodes inside = sample(surface, radius, nodes, graph);
   graph.area.assign(graph.size(), 0.0);
   std::vector<Arc> arcs;
   for (int f = 0; f < surface.number_of_faces(); ++f) {

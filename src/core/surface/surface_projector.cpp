@@ -201,11 +201,31 @@ struct Search {
 
 struct Surface_projector::Implementation {
   const Triangle_surface& surface;
+  Point centre = Point::Zero();
+  double reach = 0;
   std::once_flag built;
   std::vector<int> order;
   Tree tree;
 
-  explicit Implementation(const Triangle_surface& s) : surface(s) {}
+  explicit Implementation(const Triangle_surface& s) : surface(s) {
+    Point low = Point::Constant(std::numeric_limits<double>::max()), high = -low;
+    for (const Point& p : s.points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    centre = 0.5 * low + 0.5 * high;
+    reach = 1e9 * (high - low).maxCoeff();
+  }
+
+  // Seen from very far away all of the surface lies in one direction: a point nearer in that direction has the same answer up to
+  // rounding, and products of its distances do not overflow. What is no point at all lies in the middle.
+  Point pulled_in(const Point& query) const {
+    const Point away = 0.5 * query - 0.5 * centre; // halves: a difference of two doubles may be infinite
+    const double far = away.cwiseAbs().maxCoeff();
+    if (2 * far <= reach) return query;
+    if (!away.allFinite()) return centre;
+    return centre + reach * (away / far);
+  }
 
   void build() {
     order = morton_order(surface);
@@ -228,14 +248,26 @@ struct Surface_projector::Implementation {
   Closest_point search(const Point& query, const Point* normal, double min_cosine, int hint_face,
                        double maximum_distance = std::numeric_limits<double>::infinity()) {
     std::call_once(built, [this] { build(); });
-    Search search{surface, order, query, normal, min_cosine};
+    Search search{surface, order, pulled_in(query), normal, min_cosine};
     search.best.squared_distance = maximum_distance * maximum_distance;
     if (hint_face >= 0) search.walk(hint_face);
     if (std::isfinite(search.best.squared_distance))
-      tree.traversal(query, search);
+      tree.traversal(search.query, search);
     else
-      tree.traversal_with_priority(query, search);
-    return search.best;
+      tree.traversal_with_priority(search.query, search);
+    return answer(search, query);
+  }
+
+  Closest_point nearby(const Point& query, int face) const {
+    Search search{surface, order, pulled_in(query)};
+    search.walk(face);
+    return answer(search, query);
+  }
+
+  static Closest_point answer(const Search& search, const Point& query) {
+    Closest_point best = search.best;
+    if (search.query != query && best.face >= 0) best.squared_distance = (best.point - query).squaredNorm();
+    return best;
   }
 };
 
@@ -264,9 +296,7 @@ Closest_point Surface_projector::closest(const Point& query, int hint_face) cons
 }
 
 Closest_point Surface_projector::closest_nearby(const Point& query, int face) const {
-  Search search{surface(), m_implementation->order, query};
-  search.walk(face);
-  return search.best;
+  return m_implementation->nearby(query, face);
 }
 
 Closest_point Surface_projector::closest_compatible(const Point& query, const Point& normal,

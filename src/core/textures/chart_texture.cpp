@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
 
+#include "textures/observed_edit.h"
 #include "textures/operators.h"
 
 #include <CGAL/assertions.h>
@@ -81,11 +82,12 @@ Result<void> check_contour_edges(const Placed_texture& placed, const Chart& char
 
 // The texture after an edit, and where its sides' vertices lie; its vertices have no places on the chart yet.
 Result<Placed_texture> edit_in_plane(const Placed_texture& placed, const Chart& chart,
-                                     const Contour_samples& samples, const Texture_edit& edit) {
+                                     const Contour_samples& samples, const Texture_edit& edit,
+                                     const Observer* observer) {
   Texture_limits limits;
   for (std::size_t w = 0; w < chart.walks.size(); ++w)
     limits.kept.push_back(nodes_of_side(placed, chart.walks[w], int(w), samples));
-  Result<Edited_texture> edited = edit_texture(placed.texture, edit, limits);
+  Result<Edited_texture> edited = internal::edit_observed(placed.texture, edit, limits, observer);
   if (!edited) return edited.error();
   Placed_texture out;
   out.offset = placed.offset;
@@ -109,17 +111,28 @@ Result<Placed_texture> edit_in_plane(const Placed_texture& placed, const Chart& 
 Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
                                     const Chart_parameterization& map, const Contour_samples& samples,
                                     const std::vector<Texture_edit>& edits) {
+  return internal::edit_observed(placed, chart, map, samples, edits, nullptr);
+}
+
+namespace internal {
+
+Result<Placed_texture> edit_observed(const Placed_texture& placed, const Chart& chart,
+                                     const Chart_parameterization& map, const Contour_samples& samples,
+                                     const std::vector<Texture_edit>& edits, const Observer* observer) {
   CGAL_precondition(!edits.empty());
-  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edits.front());
-  for (std::size_t i = 1; i < edits.size() && out; ++i) out = edit_in_plane(*out, chart, samples, edits[i]);
+  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edits.front(), observer);
+  for (std::size_t i = 1; i < edits.size() && out; ++i)
+    out = edit_in_plane(*out, chart, samples, edits[i], observer);
   if (out) out->location = locate(chart, map, out->texture.v, out->texture.u);
   return out;
 }
 
+} // namespace internal
+
 Result<Placed_texture> edit_texture(const Placed_texture& placed, const Chart& chart,
                                     const Chart_locator& locator, const Contour_samples& samples,
                                     const Texture_edit& edit) {
-  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edit);
+  Result<Placed_texture> out = edit_in_plane(placed, chart, samples, edit, nullptr);
   if (out) out->location = locator.locate(out->texture.v, out->texture.u);
   return out;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moving vertices in the plane without inverting a quad.
+#include "textures/observed_edit.h"
 #include "textures/operators.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -32,6 +34,10 @@ private:
 struct Displacement {
   double v = 0, u = 0;
 };
+
+Error cancelled() {
+  return make_error(Error_code::cancelled, "cancelled by the user");
+}
 
 // Moves single vertices of a draft, each as far as its quads stay valid.
 class Mover {
@@ -81,19 +87,24 @@ public:
 
   // The vertices within so many edges of those marked.
   std::vector<char> grown(std::vector<char> marked, int rings) const {
-    for (int r = 0; r < rings; ++r) {
-      const std::vector<char> before = marked;
-      for (const Quad& q : m_draft.before().quads)
-        for (int i = 0; i < 4; ++i)
-          if (before[q[i]]) marked[q[(i + 1) % 4]] = marked[q[(i + 3) % 4]] = 1;
-    }
+    std::vector<int> ring, next;
+    for (int v = 0; v < int(marked.size()); ++v)
+      if (marked[v]) ring.push_back(v);
+    for (int r = 0; r < rings && !ring.empty(); ++r, ring.swap(next), next.clear())
+      for (int v : ring)
+        for (const int* h = m_quads.begin(v); h != m_quads.end(v); ++h)
+          for (int w : {m_draft.target(*h), m_draft.source(previous(*h))})
+            if (!std::exchange(marked[w], char(1))) next.push_back(w);
     return marked;
   }
 
-  void relax(const std::vector<char>& region, int steps) {
+  Result<void> relax(const std::vector<char>& region, int steps) {
     for (int s = 0; s < steps; ++s)
-      for (int v = 0; v < int(region.size()); ++v)
+      for (int v = 0; v < int(region.size()); ++v) {
+        if (v % 1024 == 0 && m_draft.is_cancelled()) return cancelled();
         if (region[v] && !is_fixed(v)) move(v, relaxing(v));
+      }
+    return {};
   }
 
 private:
@@ -138,17 +149,19 @@ double weight(Falloff falloff, double x) {
 }
 
 // How much of the displacement each vertex gets: by its distance to the nearest of the vertices moved.
-std::vector<double> brush_weights(const Texture_draft& draft, const Move_vertices& edit,
-                                  const std::vector<int>& vertices) {
+Result<std::vector<double>> brush_weights(const Texture_draft& draft, const Move_vertices& edit,
+                                          const std::vector<int>& vertices) {
   std::vector<double> weights(draft.before().v.size(), 0);
   for (int m : vertices) weights[m] = 1;
   if (!(edit.radius > 0)) return weights;
-  for (int v = 0; v < int(weights.size()); ++v)
+  for (int v = 0; v < int(weights.size()); ++v) {
+    if (v % 64 == 0 && draft.is_cancelled()) return cancelled();
     for (int m : vertices) {
       const Plane_point p = draft.point(m), q = draft.point(v);
       const double x = std::hypot(edit.aspect * draft.plane().step(p.v, q.v), q.u - p.u) / edit.radius;
       if (x < 1) weights[v] = std::max(weights[v], weight(edit.falloff, x));
     }
+  }
   return weights;
 }
 
@@ -170,8 +183,9 @@ void displace(Mover& mover, const std::vector<double>& weights, const Displaceme
 Result<void> check_numbers(const Move_vertices& edit) {
   if (!std::isfinite(edit.dv) || !std::isfinite(edit.du) || !std::isfinite(edit.radius) ||
       !std::isfinite(edit.aspect) || edit.radius < 0 || !(edit.aspect > 0) || edit.rings < 0 ||
-      edit.steps < 0)
-    return refused("a displacement, radius, aspect or number of steps is not a sensible number");
+      edit.steps < 0 || edit.steps > most_relaxing_steps)
+    return refused("a displacement, radius, aspect or number of steps is not a sensible number: at most " +
+                   std::to_string(most_relaxing_steps) + " steps");
   return {};
 }
 
@@ -189,17 +203,18 @@ Result<void> draw(Texture_draft& draft, const Move_vertices& edit) {
       return refused("side vertices do not move with the texture", Element_kind::vertex, v);
   Mover mover(draft);
   for (int v : *anchors) mover.fix(v);
-  const std::vector<double> weights = brush_weights(draft, edit, *vertices);
-  displace(mover, weights, {edit.dv, edit.du});
-  std::vector<char> region(weights.size());
-  for (std::size_t v = 0; v < weights.size(); ++v) region[v] = weights[v] > 0;
+  const Result<std::vector<double>> weights = brush_weights(draft, edit, *vertices);
+  if (!weights) return weights.error();
+  displace(mover, *weights, {edit.dv, edit.du});
+  std::vector<char> region(weights->size());
+  for (std::size_t v = 0; v < weights->size(); ++v) region[v] = (*weights)[v] > 0;
   for (int v : *vertices) mover.fix(v);
-  mover.relax(mover.grown(region, edit.rings), edit.steps);
-  return {};
+  return mover.relax(mover.grown(region, edit.rings), edit.steps);
 }
 
 Result<void> draw(Texture_draft& draft, const Relax_vertices& edit) {
-  if (edit.steps < 0) return refused("the number of steps is negative");
+  if (edit.steps < 0 || edit.steps > most_relaxing_steps)
+    return refused("the steps are 0 to " + std::to_string(most_relaxing_steps));
   const Result<std::vector<int>> vertices = find_vertices(draft, edit.vertices),
                                  anchors = find_vertices(draft, edit.anchors);
   if (!vertices) return vertices.error();
@@ -208,8 +223,7 @@ Result<void> draw(Texture_draft& draft, const Relax_vertices& edit) {
   for (int v : *anchors) mover.fix(v);
   std::vector<char> region(draft.before().v.size(), vertices->empty());
   for (int v : *vertices) region[v] = 1;
-  mover.relax(region, edit.steps);
-  return {};
+  return mover.relax(region, edit.steps);
 }
 
 } // namespace internal

@@ -8,8 +8,10 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-Texture_draft::Texture_draft(const Quad_texture& texture, const Texture_limits& limits)
-    : m_before(texture), m_limits(limits), m_plane(texture.sides.size() == 2), m_after(texture) {}
+Texture_draft::Texture_draft(const Quad_texture& texture, const Texture_limits& limits,
+                             const Observer* observer)
+    : m_before(texture), m_observer(observer), m_limits(limits), m_plane(texture.sides.size() == 2),
+      m_after(texture) {}
 
 Result<void> Texture_draft::connect() {
   const int n = int(m_before.v.size()), quads = int(m_before.quads.size());

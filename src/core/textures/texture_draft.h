@@ -3,6 +3,7 @@
 #define REEBQUAD_TEXTURES_TEXTURE_DRAFT_H
 
 #include "base/quad_connectivity.h"
+#include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 
 #include "textures/texture_plane.h"
@@ -23,12 +24,14 @@ inline Error refused(std::string message, Element_kind kind = Element_kind::none
 /// removes, adds, merges and moves; `finish()` carries that out and checks the result.
 class Texture_draft {
 public:
-  Texture_draft(const Quad_texture& texture, const Texture_limits& limits);
+  Texture_draft(const Quad_texture& texture, const Texture_limits& limits,
+                const Observer* observer = nullptr);
 
   /// Must succeed before anything else is asked. Fails if the texture is not a quad mesh with these sides.
   Result<void> connect();
 
   const Quad_texture& before() const { return m_before; }
+  bool is_cancelled() const { return m_observer && m_observer->cancelled(); }
   const Texture_plane& plane() const { return m_plane; }
   int opposite(int h) const { return m_opposite[h]; }
   int source(int h) const { return internal::source(m_before.quads, h); }
@@ -74,6 +77,7 @@ private:
   Result<void> check(const std::vector<char>& changed) const;
 
   const Quad_texture& m_before;
+  const Observer* m_observer;
   const Texture_limits& m_limits;
   Texture_plane m_plane;
   std::vector<int> m_opposite;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 
+#include "textures/observed_edit.h"
 #include "textures/operators.h"
 
 #include <array>
@@ -19,13 +20,21 @@ const char* name(const Texture_edit& edit) {
 
 Result<Edited_texture> edit_texture(const Quad_texture& texture, const Texture_edit& edit,
                                     const Texture_limits& limits) {
-  internal::Texture_draft draft(texture, limits);
+  return internal::edit_observed(texture, edit, limits, nullptr);
+}
+
+namespace internal {
+
+Result<Edited_texture> edit_observed(const Quad_texture& texture, const Texture_edit& edit,
+                                     const Texture_limits& limits, const Observer* observer) {
+  Texture_draft draft(texture, limits, observer);
   if (Result<void> connected = draft.connect(); !connected) return connected.error();
-  const Result<void> drawn =
-      std::visit([&](const auto& operation) { return internal::draw(draft, operation); }, edit);
+  const Result<void> drawn = std::visit([&](const auto& operation) { return draw(draft, operation); }, edit);
   if (!drawn) return drawn.error();
   return draft.finish();
 }
+
+} // namespace internal
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -10,9 +10,14 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The bytes of a file, at most `limit` of them; also of a pipe, which is read to its end. Fails with `unreadable_file` if it cannot be
-/// opened or read, or is longer.
-Result<std::string> read_file(const std::string& path, std::uint64_t limit);
+/// What to do where the last part of a path is a symbolic link.
+enum class Symbolic_link { followed, refused };
+
+/// The bytes of a regular file, at most `limit` of them; or of a pipe that someone writes into, until he has closed it. It waits for
+/// nobody: a pipe that has no writer, or from which nothing comes for ten seconds, is refused, as are devices, sockets and
+/// folders. Fails with `unreadable_file` and the reason.
+Result<std::string> read_file(const std::string& path, std::uint64_t limit,
+                              Symbolic_link link = Symbolic_link::followed);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
