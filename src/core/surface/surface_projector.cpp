@@ -255,12 +255,15 @@ struct Surface_projector::Implementation {
       tree.traversal(search.query, search);
     else
       tree.traversal_with_priority(search.query, search);
+    // On a surface whose own squares overflow no distance is less than infinite: any face is as good as another.
+    if (search.best.face < 0 && !normal) search.best = {surface.points[surface.triangles[0][0]], 0, 0};
     return answer(search, query);
   }
 
   Closest_point nearby(const Point& query, int face) const {
     Search search{surface, order, pulled_in(query)};
     search.walk(face);
+    if (search.best.face < 0) search.best = {surface.points[surface.triangles[face][0]], face, 0};
     return answer(search, query);
   }
 
