@@ -34,7 +34,7 @@ function(build_by_pkg_config)
   file(GLOB_RECURSE file ${prefix}/*/reeb_quadrangulation.pc)
   get_filename_component(folder ${file} DIRECTORY)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}
-    ${PKG_CONFIG} --define-variable=prefix=${prefix} --cflags --libs reeb_quadrangulation
+    ${PKG_CONFIG} --cflags --libs reeb_quadrangulation
     OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   separate_arguments(flags UNIX_COMMAND "${flags}")
   run(${COMPILER} ${CMAKE_CURRENT_LIST_DIR}/main.cpp -o ${WORK_DIR}/by_pkg_config ${flags})
