@@ -71,7 +71,7 @@ int main() {
       projector.build();
       build = std::min(build, seconds_since(start));
       start = std::chrono::steady_clock::now();
-      const auto result = relax_quads(mesh, input, projector);
+      const auto result = relax_quads(mesh, projector);
       relax = std::min(relax, seconds_since(start));
       if (!result) return 1;
       report = *result;

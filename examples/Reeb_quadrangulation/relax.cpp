@@ -52,7 +52,7 @@ int main() {
 
   Quad_mesh mesh = cube_sphere(12, 0.08);
   const Surface_projector projector(sphere);
-  const auto report = relax_quads(mesh, sphere, projector);
+  const auto report = relax_quads(mesh, projector);
   if (!report) {
     std::cerr << report.error().message << "\n";
     return 1;

@@ -5,6 +5,7 @@
 /// \file
 /// Includes every public header of the package.
 
+#include <CGAL/Reeb_quadrangulation/Any_linear_solver.h>
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
 #include <CGAL/Reeb_quadrangulation/Chart_locator.h>
 #include <CGAL/Reeb_quadrangulation/Chart_parameterization.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Reeb_quadrangulation/Editor_options.h>
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
 #include <CGAL/Reeb_quadrangulation/Embedding.h>
+#include <CGAL/Reeb_quadrangulation/Field_solver_options.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>

@@ -4,6 +4,7 @@
 #include "Input.h"
 #include "Number_list.h"
 #include "Outputs.h"
+#include "Solver_options.h"
 #include "Text_input.h"
 
 #include <cmath>
@@ -88,6 +89,7 @@ void declare(Command_line& line) {
       ("validate", "demand strict validity: also no inverted quad and no self-intersection") //
       ("timings", "print the seconds and the memory of every stage")                         //
       ("quiet", "print errors only");
+  declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
   declare_force(line);
   line.take("FILE");
@@ -135,6 +137,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   pipeline.weights = choice<Weight_kind>(
       "--field", line.text("field"),
       {{"cotangent", Weight_kind::cotangent}, {"clamped", Weight_kind::clamped_cotangent}});
+  solver_options(line).apply_to(pipeline);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "Interruption.h"
 #include "Outputs.h"
 #include "Recipe_input.h"
+#include "Solver_options.h"
 #include "Terminal_observer.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
@@ -28,6 +29,7 @@ struct Replay_options {
   std::optional<double> feature_angle; ///< instead of the recipe's
   bool feature_lines = false;          ///< also where the recipe has none
   bool relax = true;                   ///< where the recipe relaxes
+  Solver_options solver;               ///< instead of the recipe's
   bool quiet = false;
 };
 
@@ -45,6 +47,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "quads keep edges whose faces' normals differ by more; 0: none; by default what the recipe says")(
       "feature-lines", "lay whole lines of quads' edges onto sharp edges")("quiet", "print errors only");
   declare_force(line);
+  declare_solver(line, "what the recipe says");
   line.take("INPUT");
   line.take("RECIPE");
   if (!line.parse(arguments)) return std::nullopt;
@@ -72,6 +75,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   }
   options.feature_lines = line.has("feature-lines");
   options.relax = !line.has("no-relax");
+  options.solver = solver_options(line);
   options.quiet = line.has("quiet");
   return options;
 }
@@ -85,6 +89,7 @@ Recipe read_recipe_until(const Replay_options& options) {
                       std::to_string(recipe.edits.size()) + " edits");
   recipe.edits.resize(last);
   recipe.options.threads = options.threads;
+  options.solver.apply_to(recipe.options);
   if (options.component > 0) recipe.component = options.component;
   if (options.feature_angle) recipe.finish.features.feature_angle = *options.feature_angle;
   if (options.feature_lines) recipe.finish.features.lines = true;

@@ -221,6 +221,7 @@ foreach(file IN LISTS headers sources)
     "src/core/linear/[a-z_]*\\.(h|cpp)$")
   check_rule(${file} "#[ \t]*include[ \t]*[<\"](\\.\\./)*(src/)?(cli|studio)/" "the library includes the program")
   check_rule(${file} "#[ \t]*include[ \t]*<boost/(beast|asio)" "only the studio's server knows HTTP")
+  check_rule(${file} "std::(thread|jthread|async)[^a-z_]" "only parallel_for starts threads" "base/parallel_for\\.h$")
   check_rule(${file} "std::(cout|cerr|clog)|[^a-z_](printf|puts|abort|exit)\\(" "the library neither prints nor exits")
 endforeach()
 

@@ -205,8 +205,8 @@ TEST_CASE("vertices on a sharp edge slide along it while quads are relaxed, and 
   held.fixed.assign(mesh.points.size(), 0);
   for (int y = 1; y < n; ++y) held.fixed[id(n / 2, y)] = 1;
   Quad_mesh stiff = mesh;
-  const auto slid = relax_quads(mesh, input, projector, constraints);
-  const auto stood = relax_quads(stiff, input, projector, held);
+  const auto slid = relax_quads(mesh, projector, constraints);
+  const auto stood = relax_quads(stiff, projector, held);
   REQUIRE(slid);
   REQUIRE(stood);
   CHECK(slid->mean_after > stood->mean_after);
@@ -233,8 +233,8 @@ TEST_CASE(
   four.threads = 4;
   for (int run = 0; run < 5; ++run) {
     Quad_mesh a = mesh, b = mesh;
-    REQUIRE(relax_quads(a, input, projector, constraints, one));
-    REQUIRE(relax_quads(b, input, projector, constraints, four));
+    REQUIRE(relax_quads(a, projector, constraints, one));
+    REQUIRE(relax_quads(b, projector, constraints, four));
     CHECK(a.points == b.points);
   }
 }

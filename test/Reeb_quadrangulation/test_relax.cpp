@@ -166,7 +166,7 @@ TEST_CASE("a shaken torus comes back to good quads that lie on the surface") {
   const Surface_projector projector(input);
   Quad_mesh mesh = quads_of(tiny::torus(30, 15));
   shake(mesh, projector, 0.09);
-  const auto report = relax_quads(mesh, input, projector);
+  const auto report = relax_quads(mesh, projector);
   REQUIRE(report);
   CHECK(report->worst_before < 0.2);
   CHECK(report->worst_after > 0.7);
@@ -180,7 +180,7 @@ TEST_CASE("a torus shaken until a third of its quads are inverted is untangled")
   const Surface_projector projector(input);
   Quad_mesh mesh = quads_of(tiny::torus(30, 15));
   shake(mesh, projector, 0.2);
-  const auto report = relax_quads(mesh, input, projector);
+  const auto report = relax_quads(mesh, projector);
   REQUIRE(report);
   CHECK(report->inverted_before > 100);
   CHECK(report->inverted_after == 0);
@@ -192,7 +192,7 @@ TEST_CASE("boundary vertices stay on the boundary, in order") {
   const Surface_projector projector(input);
   Quad_mesh mesh = quads_of(tiny::open_cylinder(18, 8));
   shake(mesh, projector, 0.1);
-  const auto report = relax_quads(mesh, input, projector);
+  const auto report = relax_quads(mesh, projector);
   REQUIRE(report);
   CHECK(report->boundary_vertices == 36);
   CHECK(report->inverted_after == 0);
@@ -219,7 +219,7 @@ TEST_CASE("the two sides of a thin body do not pass through each other") {
   for (Point& p : mesh.points)
     p = projector.closest(p + 0.1 * noise.vector().cwiseProduct(Point(1, 1, 0))).point;
   const double meetings_before = certify({mesh}).check("no_self_intersections").measured;
-  const auto report = relax_quads(mesh, input, projector);
+  const auto report = relax_quads(mesh, projector);
   REQUIRE(report);
   CHECK(meetings_before > 10);
   CHECK(report->inverted_after == 0);
@@ -236,7 +236,7 @@ TEST_CASE(
   Quad_mesh mesh{{Point(0, 0, 0.2), Point(1, 0, 0.2), Point(1, 1, 0.2), Point(0, 1, 0.2), Point(0.5, 0.2, 0),
                   Point(0.5, 0.8, 0), Point(0.5, 0.8, 1), Point(0.5, 0.2, 1)},
                  {{0, 1, 2, 3}, {4, 5, 6, 7}}};
-  const auto report = relax_quads(mesh, input, projector, std::vector<char>(8, 1));
+  const auto report = relax_quads(mesh, projector, std::vector<char>(8, 1));
   REQUIRE(report);
   CHECK(report->intersections_after == 1);
   CHECK(report->off_surface.empty()); // fixed vertices are not counted
@@ -252,7 +252,7 @@ TEST_CASE("fixed vertices do not move by a bit") {
   const Quad_mesh before = mesh;
   std::vector<char> fixed(mesh.points.size(), 0);
   for (std::size_t v = 0; v < fixed.size(); v += 7) fixed[v] = 1;
-  REQUIRE(relax_quads(mesh, input, projector, fixed));
+  REQUIRE(relax_quads(mesh, projector, fixed));
   for (std::size_t v = 0; v < fixed.size(); v += 7) CHECK(mesh.points[v] == before.points[v]);
   CHECK(mesh.points[1] != before.points[1]);
 }
@@ -264,9 +264,9 @@ TEST_CASE("one thread and several give the same bytes") {
   shake(one, projector, 0.03);
   Quad_mesh three = one;
   Relax_options options;
-  REQUIRE(relax_quads(one, input, projector, {}, options));
+  REQUIRE(relax_quads(one, projector, {}, options));
   options.threads = 3;
-  REQUIRE(relax_quads(three, input, projector, {}, options));
+  REQUIRE(relax_quads(three, projector, {}, options));
   CHECK(one.points == three.points);
 }
 
@@ -279,9 +279,9 @@ TEST_CASE("quads that are nearly good are relaxed further, and bad or good ones 
     for (Point& p : usual.points) p = Eigen::AngleAxisd(twist * p.z(), Point::UnitZ()) * p;
     Quad_mesh further = usual;
     Relax_options options;
-    const auto more = relax_quads(further, input, projector, {}, options);
+    const auto more = relax_quads(further, projector, {}, options);
     options.more_iterations = 0;
-    const auto less = relax_quads(usual, input, projector, {}, options);
+    const auto less = relax_quads(usual, projector, {}, options);
     REQUIRE((bool(more) && bool(less)));
     if (twist == 0.55) {
       CHECK(less->mean_after < 0.92);
@@ -301,7 +301,7 @@ TEST_CASE("vertices that have come together part again, though their quads have 
   REQUIRE(quality(mesh, first) > 0.4);
   Relax_options options;
   options.iterations = 0;
-  REQUIRE(relax_quads(mesh, input, projector, {}, options));
+  REQUIRE(relax_quads(mesh, projector, {}, options));
   std::array<double, 4> length;
   for (int i = 0; i < 4; ++i) length[i] = (mesh.points[first[(i + 1) % 4]] - mesh.points[first[i]]).norm();
   const auto [least, most] = std::minmax_element(length.begin(), length.end());
@@ -312,7 +312,7 @@ TEST_CASE("a mesh that is good already keeps its quality") {
   const Triangle_surface input = tiny::torus(60, 30);
   const Surface_projector projector(input);
   Quad_mesh mesh = quads_of(input);
-  const auto report = relax_quads(mesh, input, projector);
+  const auto report = relax_quads(mesh, projector);
   REQUIRE(report);
   CHECK(report->worst_after >= report->worst_before - 0.01);
 }
@@ -322,27 +322,26 @@ TEST_CASE("what cannot be relaxed is refused with a reason, and the mesh is unto
   const Surface_projector projector(input);
   Quad_mesh mesh = quads_of(input);
   const std::vector<Point> points = mesh.points;
-  CHECK(relax_quads(mesh, input, projector, std::vector<char>{1, 0}).error().code ==
-        Error_code::impossible_request);
+  CHECK(relax_quads(mesh, projector, std::vector<char>{1, 0}).error().code == Error_code::impossible_request);
   Vertex_constraints places;
   places.places = {{0, 0, 0.0}}; // there is no curve
-  CHECK(relax_quads(mesh, input, projector, places).error().code == Error_code::impossible_request);
+  CHECK(relax_quads(mesh, projector, places).error().code == Error_code::impossible_request);
   places.curves = {make_surface_curve({input.points[0], input.points[1]}, false)};
   places.places = {{0, 0, 0.0}, {0, 0, 0.1}}; // twice
-  CHECK(relax_quads(mesh, input, projector, places).error().index == 0);
+  CHECK(relax_quads(mesh, projector, places).error().index == 0);
   Relax_options options;
   options.attempts = -1;
-  CHECK(relax_quads(mesh, input, projector, {}, options).error().code == Error_code::impossible_request);
+  CHECK(relax_quads(mesh, projector, {}, options).error().code == Error_code::impossible_request);
   options = {};
   options.threads = 0;
-  CHECK(relax_quads(mesh, input, projector, {}, options).error().code == Error_code::impossible_request);
+  CHECK(relax_quads(mesh, projector, {}, options).error().code == Error_code::impossible_request);
   struct Stop : Observer {
     bool cancelled() const override { return true; }
   } stop;
-  CHECK(relax_quads(mesh, input, projector, {}, {}, &stop).error().code == Error_code::cancelled);
+  CHECK(relax_quads(mesh, projector, {}, {}, &stop).error().code == Error_code::cancelled);
   CHECK(mesh.points == points);
   mesh.quads[5][2] = 81;
-  const auto refused = relax_quads(mesh, input, projector);
+  const auto refused = relax_quads(mesh, projector);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().index == 5);
 }

@@ -28,7 +28,7 @@ void check_relaxing(Quad_mesh mesh, const Triangle_surface& s, bool anchors) {
   for (std::size_t v = 0; anchors && v < fixed.size(); v += 6) fixed[v] = 1;
   const std::vector<Point> points = mesh.points;
   const Mesh_statistics before = quad_statistics(mesh);
-  const auto report = relax_quads(mesh, s, Surface_projector(s), fixed);
+  const auto report = relax_quads(mesh, Surface_projector(s), fixed);
   REQUIRE(report);
   const Mesh_statistics after = quad_statistics(mesh);
   CHECK(after.inverted_quads <= before.inverted_quads);
@@ -73,7 +73,7 @@ TEST_CASE("inverted quads go to zero where some position of the vertices allows 
       Quad_mesh mesh = quads;
       shake(mesh, projector, size, random);
       REQUIRE(quad_statistics(mesh).inverted_quads > 10);
-      REQUIRE(relax_quads(mesh, s, projector));
+      REQUIRE(relax_quads(mesh, projector));
       CHECK(quad_statistics(mesh).inverted_quads == 0);
     }
   }

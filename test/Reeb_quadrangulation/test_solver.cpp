@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
+#include <CGAL/Reeb_quadrangulation/Field_solver_options.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 
@@ -395,7 +396,6 @@ TEST_CASE("the three models agree on surfaces") {
 TEST_CASE("updates of CHOLMOD's factor are factorizations of the changed matrix") {
   Sequence random(8);
   Symmetric_matrix m = torus_matrix(40, 30);
-  const Symmetric_matrix original = m;
   Cholmod_solver updated, fresh;
   REQUIRE(bool(updated.factorize(m)));
   const auto check_equal = [&](double tolerance) {
@@ -414,15 +414,142 @@ TEST_CASE("updates of CHOLMOD's factor are factorizations of the changed matrix"
   REQUIRE(bool(updated.add_to_diagonal(rows, {-50, -50, -50})));
   check_equal(1e-10);
 
-  const int row = 444;
-  for (int j = 0; j < m.size; ++j)
-    for (int k = m.column_begin[j]; k < m.column_begin[j + 1]; ++k)
-      if (m.row[k] == row || j == row) m.value[k] = m.row[k] == j ? 1 : 0;
-  REQUIRE(bool(updated.delete_row(row)));
-  check_equal(1e-11);
-  m = original;
-  REQUIRE(bool(updated.add_row(row, m)));
-  check_equal(1e-11);
   CHECK(!updated.add_to_diagonal({10}, {-1e6}));
   CHECK(!updated.solve(m.value.data()));
+}
+
+TEST_CASE("CHOLMOD goes back to a kept factor, and what is solved then has the bits of before") {
+  Sequence random(11);
+  const Symmetric_matrix m = torus_matrix(50, 40);
+  const Eigen::VectorXd b = random_vector(m.size, random);
+  const auto solution = [&](Cholmod_solver& solver, const std::vector<int>& rows) {
+    REQUIRE(bool(solver.factorize(m)));
+    REQUIRE(bool(solver.add_to_diagonal(rows, std::vector<double>(rows.size(), 1e6))));
+    Eigen::VectorXd x = b;
+    REQUIRE(bool(solver.solve(x.data())));
+    return x;
+  };
+  Cholmod_solver kept, fresh;
+  kept.set_incremental(true);
+  const Eigen::VectorXd first = solution(kept, {7});
+  CHECK(!same_bits(solution(kept, {1500, 20}), first));
+  CHECK(same_bits(solution(kept, {7}), first));
+  CHECK(!kept.add_to_diagonal({10}, {-1e9})); // leaves no factor, but the kept one
+  CHECK(!kept.solve(Eigen::VectorXd(b).data()));
+  CHECK(same_bits(solution(kept, {7}), first));
+  CHECK(same_bits(solution(fresh, {7}), first));
+  kept.set_incremental(false); // the updates stay
+  Eigen::VectorXd x = b;
+  REQUIRE(bool(kept.solve(x.data())));
+  CHECK(same_bits(x, first));
+}
+
+TEMPLATE_TEST_CASE("an order is told, and one that is given is taken", "", Multifrontal_solver,
+                   Cholmod_solver) {
+  Sequence random(12);
+  const Symmetric_matrix m = torus_matrix(60, 40);
+  TestType found, given;
+  CHECK(found.elimination_order().empty());
+  REQUIRE(bool(found.factorize(m)));
+  std::vector<int> order = found.elimination_order();
+  CHECK(std::is_permutation(order.begin(), order.end(), all_numbers(m.size).begin()));
+  REQUIRE(bool(given.analyze(m, order)));
+  REQUIRE(bool(given.factorize(m)));
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(m.size), y = x;
+  REQUIRE((bool(found.solve(x.data())) && bool(given.solve(y.data()))));
+  CHECK((x - y).norm() < 1e-10 * x.norm());
+  // Along a chain, each unknown waits for the one before: no two can change places.
+  order = all_numbers(90);
+  const Symmetric_matrix chain = sparse(dominant(90, random, [](int i, int j) { return i == j + 1; }));
+  for (int turn = 0; turn < 2; ++turn) {
+    REQUIRE(bool(given.analyze(chain, order)));
+    CHECK(given.elimination_order() == order);
+    std::reverse(order.begin(), order.end());
+  }
+}
+
+namespace {
+
+// No more than the concept asks for: a dense inverse.
+class Dense_solver {
+public:
+  Dense_solver() = default;
+  Dense_solver(Dense_solver&&) = default;
+  Dense_solver& operator=(Dense_solver&&) = default;
+
+  Result<void> analyze(const Symmetric_matrix& pattern) { return check_pattern(pattern); }
+  Result<void> factorize(const Symmetric_matrix& m) {
+    if (const Result<void> checked = analyze(m); !checked) return checked;
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(m.size, m.size);
+    for (int j = 0; j < m.size; ++j)
+      for (int k = m.column_begin[j]; k < m.column_begin[j + 1]; ++k) a(m.row[k], j) = m.value[k];
+    const Eigen::LLT<Eigen::MatrixXd> factor(a.selfadjointView<Eigen::Lower>());
+    m_size = m.size;
+    if (factor.info() != Eigen::Success)
+      return make_error(Error_code::solver_failure, "not positive definite");
+    m_inverse = factor.solve(Eigen::MatrixXd::Identity(m.size, m.size));
+    return {};
+  }
+  Result<void> solve(double* x, int right_hand_sides = 1) const {
+    Eigen::Map<Eigen::MatrixXd> columns(x, m_size, right_hand_sides);
+    columns = (m_inverse * columns).eval();
+    return {};
+  }
+  int size() const { return m_size; }
+
+private:
+  Eigen::MatrixXd m_inverse;
+  int m_size = 0;
+};
+
+} // namespace
+
+TEST_CASE("any model can be held, and what it has beyond the concept is found") {
+  const Symmetric_matrix m = torus_matrix(30, 12);
+  const auto solved = [&](Any_linear_solver solver) {
+    solver.set_threads(2);
+    solver.set_incremental(true);
+    REQUIRE(bool(solver.analyze(m, all_numbers(m.size))));
+    REQUIRE(bool(solver.factorize(m)));
+    Eigen::MatrixXd x = Eigen::MatrixXd::Ones(m.size, 2);
+    REQUIRE(bool(solver.solve(x.data(), 2)));
+    CHECK(solver.size() == m.size);
+    return x;
+  };
+  Multifrontal_solver plain;
+  REQUIRE((bool(plain.analyze(m, all_numbers(m.size))) && bool(plain.factorize(m))));
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Ones(m.size, 2);
+  REQUIRE(bool(plain.solve(expected.data(), 2)));
+  CHECK(same_bits(solved(Any_linear_solver()), expected));
+  CHECK(same_bits(solved(Linear_solver_factory()()), expected));
+  for (const Linear_solver_factory& make :
+       {sparse_linear_solver<Cholmod_solver>(), sparse_linear_solver<Eigen_solver>(),
+        sparse_linear_solver<Dense_solver>("dense")})
+    CHECK((solved(make()) - expected).norm() < 1e-10 * expected.norm());
+
+  Any_linear_solver dense = sparse_linear_solver<Dense_solver>()(),
+                    cholmod = sparse_linear_solver<Cholmod_solver>()();
+  REQUIRE((bool(dense.factorize(m)) && bool(cholmod.factorize(m))));
+  CHECK(dense.elimination_order().empty());
+  CHECK(!dense.can_update());
+  CHECK(dense.add_to_diagonal({0}, {1}).error().code == Error_code::solver_failure);
+  CHECK(cholmod.elimination_order().size() == std::size_t(m.size));
+  CHECK(cholmod.can_update());
+  CHECK(bool(cholmod.add_to_diagonal({0}, {1})));
+}
+
+TEST_CASE("solvers are chosen by name, and a name that is none is refused by the names that there are") {
+  for (const char* name : {"multifrontal", "cholmod", "eigen"}) {
+    const Result<Linear_solver_factory> found = linear_solver_named(name);
+    REQUIRE(bool(found));
+    CHECK(found->name() == name);
+    CHECK((*found)().can_update() == (found->name() == "cholmod"));
+  }
+  CHECK(sparse_linear_solver<Eigen_solver>().name() == "eigen");
+  CHECK(sparse_linear_solver<Dense_solver>().name() == "custom");
+  const Result<Linear_solver_factory> none = linear_solver_named("gauss");
+  REQUIRE(!none);
+  CHECK(none.error().code == Error_code::impossible_request);
+  for (const char* word : {"gauss", "multifrontal", "cholmod", "eigen"})
+    CHECK(none.error().message.find(word) != std::string::npos);
 }

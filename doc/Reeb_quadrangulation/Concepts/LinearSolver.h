@@ -11,9 +11,15 @@ A solver is default constructible and movable. It is used by one thread at a tim
 memory belongs to it; different solvers are independent. Failures come back as results with
 `Error_code::solver_failure`; after one the solver may be used again as if it were new.
 
+Fields and charts' maps take any model: `sparse_linear_solver<Solver>()` in `Field_solver_options`. They check the residual of what it finds.
+
+A model may also have the members of the second group below. `Any_linear_solver` finds them when the model is put in, and
+does without what is missing.
+
 \cgalHasModel `CGAL::Reeb_quadrangulation::Multifrontal_solver`
 \cgalHasModel `CGAL::Reeb_quadrangulation::Cholmod_solver`
 \cgalHasModel `CGAL::Reeb_quadrangulation::Eigen_solver`
+\cgalHasModel `CGAL::Reeb_quadrangulation::Any_linear_solver`
 */
 class LinearSolver {
 public:
@@ -33,4 +39,26 @@ public:
 
   /// The number of unknowns of the matrix last analyzed.
   int size() const;
+
+  /// \name Optional
+  /// @{
+
+  /// The same as `analyze(pattern)` without the search for an order: `order` lists all unknowns as they are to be eliminated.
+  /// The charts' systems are parts of the field's, so that one order serves them all.
+  Result<void> analyze(const Symmetric_matrix& pattern, const std::vector<int>& order);
+
+  /// The unknowns as they are eliminated, since the last `analyze()`; returned by reference.
+  const std::vector<int>& elimination_order() const;
+
+  /// The number of threads; the solution's bits must not depend on it.
+  void set_threads(int threads);
+
+  /// Whether later factorizations of matrices with the same pattern may reuse what this one found. The solution's bits
+  /// must not depend on it.
+  void set_incremental(bool incremental);
+
+  /// Adds `amounts[k]`, which may be negative, to the diagonal entry of row `rows[k]` of the factorized matrix. Additions come first.
+  /// `factorize()` begins anew from its matrix. Needed for the penalties' updates.
+  Result<void> add_to_diagonal(const std::vector<int>& rows, const std::vector<double>& amounts);
+  /// @}
 };

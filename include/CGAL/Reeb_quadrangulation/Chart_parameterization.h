@@ -31,16 +31,18 @@ class Chart_parameterization {
 public:
   /// Prepares the system of the chart and, for an annulus, solves for U, the natural V on the walks and the profile.
   /// The chart is only read, and only by this function and by `solve_*`, which must be given the same one.
-  static Result<Chart_parameterization> prepare(const Chart& chart);
+  static Result<Chart_parameterization> prepare(const Chart& chart, const Field_solver_options& options = {});
 
   /// The same with other weights of the chart's edges than clamped cotangents; see `prepare_chart()`. Fails with
   /// `impossible_request`, naming the edge by a halfedge, where a weight is not positive and finite or the two halfedges of an
   /// edge differ: only symmetric positive weights keep the map from folding.
   ///
   /// `elimination_order` may list vertices of the chart, each once, in an order in which the solver does well to eliminate them,
-  /// as `elimination_order()` gives it; vertices that it leaves out follow. Without it an order is searched for.
+  /// as `elimination_order()` gives it; vertices that it leaves out follow. Without it an order is searched for. With
+  /// penalties the walks keep the places that they are given, and the inside is off by what the penalties leave.
   static Result<Chart_parameterization> prepare(const Chart& chart, Edge_weights weights,
-                                                const std::vector<int>& elimination_order = {});
+                                                const std::vector<int>& elimination_order = {},
+                                                const Field_solver_options& options = {});
 
   /// \name Annuli
   /// @{

@@ -13,7 +13,7 @@ namespace Reeb_quadrangulation {
 /// CHOLMOD's Cholesky factorization (Chen, Davis, Hager and Rajamanickam 2008): a model of the concept
 /// `LinearSolver`, and the one whose factor can be updated. Its bits depend on the BLAS library and its threads.
 ///
-/// The supernodal form is used until the first update, which converts the factor to the simplicial one.
+/// Factorizations are supernodal; the first update after one converts the factor to the simplicial form.
 class Cholmod_solver {
 public:
   /// How `analyze` orders the unknowns; nested dissection takes longer and leaves fewer entries.
@@ -24,7 +24,16 @@ public:
   Cholmod_solver(Cholmod_solver&&) noexcept;
   Cholmod_solver& operator=(Cholmod_solver&&) noexcept;
 
+  /// Whether the factor is kept as `factorize()` made it when updates change it, for twice the memory. Then `factorize()` of
+  /// the same matrix goes back to it, which undoes the updates without a trace. Off at first.
+  void set_incremental(bool incremental);
+
+  /// Orders the unknowns and counts the factor's entries; the values of `pattern` are not read.
   Result<void> analyze(const Symmetric_matrix& pattern);
+
+  /// The same without the search for an order: `order` lists all unknowns as they are to be eliminated, but for changes
+  /// that leave the fill as it is.
+  Result<void> analyze(const Symmetric_matrix& pattern, const std::vector<int>& order);
 
   /// Factorizes; analyzes first where the pattern is new. Fails with `solver_failure` where CHOLMOD's status says so
   /// and, naming the row, where a pivot is not above 1e-13 of the diagonal entry it was.
@@ -38,13 +47,9 @@ public:
   /// residual. About 0.2 ms a row for 200,000 unknowns.
   Result<void> add_to_diagonal(const std::vector<int>& rows, const std::vector<double>& amounts);
 
-  /// Makes row and column `row` those of the identity, as elimination of its unknown does. Exact to rounding.
-  Result<void> delete_row(int row);
-
-  /// Gives back the row and column that `matrix` has there, which must be the identity's in the factor.
-  Result<void> add_row(int row, const Symmetric_matrix& matrix);
-
-  int size() const;
+  /// The unknowns as they are eliminated; empty before the first `analyze()`.
+  const std::vector<int>& elimination_order() const;
+  int size() const; ///< unknowns
 
 private:
   struct Implementation;

@@ -24,7 +24,9 @@ struct Editor_options {
   double sample_blend = 0.5;
   /// Of the field on the whole surface; charts always use positive weights.
   Weight_kind weights = Weight_kind::cotangent;
-  /// How that field meets its values.
+  /// What solves the systems of fields and of charts' maps. A recipe keeps its name.
+  Linear_solver_factory solver = {};
+  /// How fields and charts' maps meet the values that are given.
   Constraint_method constraints = Constraint_method::elimination;
   /// The weights of a chart's map; empty: clamped cotangents. Called from several threads at once. A recipe does not keep them.
   std::function<Edge_weights(const Chart&)> chart_weights = {};

@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_HARMONIC_FIELD_H
 #define CGAL_REEB_QUADRANGULATION_HARMONIC_FIELD_H
 
+#include <CGAL/Reeb_quadrangulation/Field_solver_options.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 
@@ -14,12 +15,6 @@ namespace Reeb_quadrangulation {
 
 /// Which edge weights a harmonic field uses; see laplacian.h.
 enum class Weight_kind { cotangent, clamped_cotangent, uniform };
-
-/// How a harmonic field enforces its constraints.
-enum class Constraint_method {
-  elimination, ///< exactly, by leaving the constrained vertices out of the system
-  penalty ///< by a weight of 1e8 times the largest diagonal entry, after the paper's Eq. 3: error about 1e-8
-};
 
 /// What `Harmonic_field::solve_with_local_clamping()` did besides the field itself.
 struct Locally_clamped_field {
@@ -39,18 +34,20 @@ class Harmonic_field {
 public:
   /// Keeps a reference: `surface` must outlive the field and stay as it is. \pre It is connected by
   /// `connect()`.
-  explicit Harmonic_field(const Triangle_surface& surface);
+  explicit Harmonic_field(const Triangle_surface& surface, const Field_solver_options& options = {});
   ~Harmonic_field();
   Harmonic_field(Harmonic_field&&) noexcept;
   Harmonic_field& operator=(Harmonic_field&&) noexcept;
 
   void set_weights(Weight_kind kind);        ///< default: cotangent
   void set_weights(Edge_weights weights);    ///< any symmetric weights. \pre one for each halfedge
-  void set_method(Constraint_method method); ///< default: elimination
-  void set_threads(int threads); ///< of the elimination's factorizations; changes no bit of the result
+  void set_method(Constraint_method method); ///< instead of that of the options
+  /// Of the solver, if it can use more than one.
+  void set_threads(int threads);
 
   /// Whether the next solve after a change of few constraints or weights reuses most of the factorization, for about
-  /// twice the memory and the same bits (elimination); see `Multifrontal_solver::set_incremental()`. Off at first.
+  /// twice the memory and the same bits. Off at first; see `Multifrontal_solver::set_incremental()` and, for penalties,
+  /// `Cholmod_solver::set_incremental()`. Other solvers begin anew.
   void set_incremental(bool incremental);
 
   /// Adds a constraint, or changes its value. Fails with `impossible_request` where the vertex does not exist
@@ -74,10 +71,11 @@ public:
                                                           int most_rounds = 3, double low = 1e-2,
                                                           double high = 1e2);
 
-  /// Of the last solve; see `relative_residual()`.
+  /// Of the last solve; see `relative_residual()`. Rows with a penalty count divided by it.
   double residual() const;
 
-  /// The vertices as the last solution by elimination ordered them, or none; it depends on the surface's triangles alone.
+  /// The vertices as the last solution eliminated them; it depends on the surface's triangles and the solver alone. None where
+  /// the solver does not tell.
   const std::vector<int>& elimination_order() const;
 
 private:

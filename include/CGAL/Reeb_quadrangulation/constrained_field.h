@@ -28,7 +28,8 @@ std::map<int, double> contour_constraints(const Triangle_surface& surface, const
 /// can only lie at constrained vertices; `make_layout()` removes them. Uses `field.elimination_order` if it is there. Fails with
 /// `solver_failure`. Costs a factorization of the whole surface.
 Result<std::vector<double>> constrained_field(const Triangle_surface& surface, const Designed_field& field,
-                                              const Contour_network& network, const std::vector<int>& edges);
+                                              const Contour_network& network, const std::vector<int>& edges,
+                                              const Field_solver_options& options = {});
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

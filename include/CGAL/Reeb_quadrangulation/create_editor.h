@@ -15,13 +15,14 @@ namespace Reeb_quadrangulation {
 /// `to_triangle_surface()` come first. Points of edits are points of the mesh, see `surface_point()`; the quads go
 /// into a graph by `to_face_graph(editor.quads().mesh, graph)`.
 /// Named parameters: `vertex_point_map`, `geom_traits`, `number_of_quads`, `edge_length`, `chart_traits`,
-/// `texture_traits`, `number_of_threads`, `observer`, `options` (`Editor_options`).
+/// `texture_traits`, `sparse_linear_solver`, `constraint_method`, `number_of_threads`, `observer`, `options` (`Editor_options`).
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Result<Editor> create_editor(const TriangleMesh& tmesh,
                              const NamedParameters& np = CGAL::parameters::default_values()) {
   using namespace parameters;
-  using Tags = Tag_list<number_of_quads_t, edge_length_t, chart_traits_t, texture_traits_t,
-                        number_of_threads_t, observer_t, options_t>;
+  using Tags =
+      Tag_list<number_of_quads_t, edge_length_t, chart_traits_t, texture_traits_t, number_of_threads_t,
+               observer_t, options_t, constraint_method_t, CGAL::internal_np::sparse_linear_solver_t>;
   static_assert(reads_all<NamedParameters>(Point_tags() + Tags()));
   auto mesh = Reeb_quadrangulation::internal::triangle_surface(tmesh, np);
   if (!mesh) return mesh.error();
@@ -30,6 +31,8 @@ Result<Editor> create_editor(const TriangleMesh& tmesh,
   options.quads = parameter_or<number_of_quads_t>(np, options.quads);
   options.edge_length = parameter_or<edge_length_t>(np, options.edge_length);
   options.threads = parameter_or<number_of_threads_t>(np, options.threads);
+  options.solver = parameter_or<CGAL::internal_np::sparse_linear_solver_t>(np, options.solver);
+  options.constraints = parameter_or<constraint_method_t>(np, options.constraints);
   if constexpr (has_parameter<edge_length_t, NamedParameters>)
     if (!(options.edge_length > 0))
       return make_error(Error_code::impossible_request, "an edge length is positive");

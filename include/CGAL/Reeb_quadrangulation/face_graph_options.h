@@ -53,6 +53,8 @@ Result<Quadrangulation_options> options(const Graph& tmesh, const Face_graph_sur
   o.quads = parameter_or<number_of_quads_t>(np, o.quads);
   o.edge_length = parameter_or<edge_length_t>(np, o.edge_length);
   o.threads = parameter_or<number_of_threads_t>(np, o.threads);
+  o.solver = parameter_or<CGAL::internal_np::sparse_linear_solver_t>(np, o.solver);
+  o.constraints = parameter_or<constraint_method_t>(np, o.constraints);
   if constexpr (has_parameter<edge_length_t, NamedParameters>)
     if (!(o.edge_length > 0)) return make_error(Error_code::impossible_request, "an edge length is positive");
   if (has_parameter<minima_t, NamedParameters> || has_parameter<maxima_t, NamedParameters>) {

@@ -65,7 +65,7 @@ Result<Relax_report> relax_quads(QuadMesh& quads, const TriangleMesh& tmesh,
   for (int v : internal::held_vertices(*before, np1)) fixed[std::size_t(v)] = 1;
   Quad_mesh mesh = before->mesh;
   const Surface_projector projector(input->surface);
-  Result<Relax_report> report = relax_quads(mesh, input->surface, projector, Vertex_constraints(fixed),
+  Result<Relax_report> report = relax_quads(mesh, projector, Vertex_constraints(fixed),
                                             internal::relax_options(np1), parameters::observer_of(np1));
   if (report) internal::put_points(mesh, *before, quads, np1);
   return report;

@@ -18,6 +18,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 
 class Observer;
+class Linear_solver_factory;
+enum class Constraint_method;
 
 namespace parameters {
 
@@ -31,6 +33,7 @@ struct minima_t {};
 struct maxima_t {};
 struct number_of_threads_t {};
 struct observer_t {};
+struct constraint_method_t {};
 struct chart_traits_t {};
 struct texture_traits_t {};
 struct quad_chart_map_t {};
@@ -111,6 +114,13 @@ public:
   /// @{
   /// How many threads; 0 = as many as the machine has. Changes no bit of the result.
   auto number_of_threads(int value) const { return with<number_of_threads_t>(value); }
+  /// What solves the systems of fields and maps: `sparse_linear_solver<Solver>()` of a model of `LinearSolver`.
+  template <class Factory> auto sparse_linear_solver(const Factory& value) const {
+    static_assert(std::is_same<Factory, Linear_solver_factory>::value);
+    return with<CGAL::internal_np::sparse_linear_solver_t>(value);
+  }
+  /// How fields and maps meet the values that are given.
+  auto constraint_method(Constraint_method value) const { return with<constraint_method_t>(value); }
   /// Receives progress and may cancel.
   auto observer(Observer* value) const { return with<observer_t>(value); }
   /// @}
@@ -195,6 +205,12 @@ template <class Traits> auto texture_traits(const Traits& traits) {
 }
 inline auto number_of_threads(int value) {
   return default_values().number_of_threads(value);
+}
+template <class Factory> auto sparse_linear_solver(const Factory& value) {
+  return default_values().sparse_linear_solver(value);
+}
+inline auto constraint_method(Constraint_method value) {
+  return default_values().constraint_method(value);
 }
 inline auto observer(Observer* value) {
   return default_values().observer(value);

@@ -51,6 +51,8 @@ struct Quadrangulation_options {
   Weight_kind weights = Weight_kind::cotangent;
   /// How the field meets its values.
   Constraint_method constraints = Constraint_method::elimination;
+  /// What solves the systems of fields and of charts' maps.
+  Linear_solver_factory solver = {};
   /// Refine and mend a working copy where the surface is coarse or its triangles are needles.
   bool prepare = true;
   /// Align the saddles of charts that are thinner than half a quad.

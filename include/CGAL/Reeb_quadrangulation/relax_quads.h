@@ -58,8 +58,8 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 /// many are, the mean scaled Jacobian is not lower, and if none is, neither is the least. Else the vertices are only put on
 /// the surface, or left as they were if that inverts quads.
 ///
-/// \param mesh       an oriented manifold quad mesh that lies on or near `input`
-/// \param projector  of `input`
+/// \param mesh       an oriented manifold quad mesh that lies on or near the projector's surface
+/// \param projector  of the input surface
 /// \param constraints  vertices that do not move or that slide along curves; a vertex on the mesh's boundary slides there, whatever
 ///                   its place on another curve
 /// \return a report, or `not_a_surface` if a quad names a vertex that does not exist or twice,
@@ -67,8 +67,7 @@ double scaled_jacobian(const Point& p0, const Point& p1, const Point& p2, const 
 ///         the constraints do not fit the mesh or an option is out of range, `cancelled` with the mesh as it was.
 /// Time linear in quads x iterations, each vertex a closest-point query. Same bytes for any number of
 /// threads.
-Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
-                                 const Surface_projector& projector,
+Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& projector,
                                  const Vertex_constraints& constraints = {},
                                  const Relax_options& options = {}, Observer* observer = nullptr);
 

@@ -60,7 +60,8 @@ std::map<int, double> contour_constraints(const Triangle_surface& surface, const
 }
 
 Result<std::vector<double>> constrained_field(const Triangle_surface& surface, const Designed_field& field,
-                                              const Contour_network& network, const std::vector<int>& edges) {
+                                              const Contour_network& network, const std::vector<int>& edges,
+                                              const Field_solver_options& options) {
   std::map<int, double> fixed = contour_constraints(surface, field.values, network, edges);
   for (const std::vector<int>* extrema : {&field.minima, &field.maxima})
     for (int v : *extrema) fixed[v] = field.values[v];
@@ -73,7 +74,7 @@ Result<std::vector<double>> constrained_field(const Triangle_surface& surface, c
     is_fixed[v] = 1;
   }
   const Result<Dirichlet_problem> problem = Dirichlet_problem::factorize(
-      surface, clamped_cotangent_weights(surface), is_fixed, field.elimination_order);
+      surface, clamped_cotangent_weights(surface), is_fixed, field.elimination_order, options);
   if (!problem) return problem.error();
   if (const Result<void> solved = problem->solve(surface, values); !solved) return solved.error();
   return values;

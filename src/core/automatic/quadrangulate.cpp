@@ -52,9 +52,8 @@ Result<Designed_field> choose_extrema(const Triangle_surface& surface, const Qua
 
 Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_options& options,
                          Designed_field& field) {
-  Harmonic_field harmonic(surface);
+  Harmonic_field harmonic(surface, {options.solver, options.constraints});
   harmonic.set_weights(options.weights);
-  harmonic.set_method(options.constraints);
   harmonic.set_threads(internal::number_of_threads(options.threads));
   return solve_field(surface, harmonic, field);
 }
@@ -109,6 +108,7 @@ Editor_options editor_options(const Quadrangulation_options& asked) {
   options.prepare = asked.prepare;
   options.sample_blend = asked.sample_blend;
   options.weights = asked.weights;
+  options.solver = asked.solver;
   options.constraints = asked.constraints;
   options.chart_weights = asked.chart_weights;
   options.textures = asked.textures;

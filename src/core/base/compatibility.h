@@ -19,11 +19,13 @@ namespace internal {
 
 /// Traits and primitives of a CGAL::AABB_tree; CGAL 6 renamed them.
 #if CGAL_VERSION_NR >= 1060000000
-template <class Kernel, class Primitive> using Aabb_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+template <class Kernel, class Primitive, class Box_map = CGAL::Default>
+using Aabb_traits = CGAL::AABB_traits_3<Kernel, Primitive, Box_map>;
 template <class Kernel, class Iterator>
 using Aabb_segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
 #else
-template <class Kernel, class Primitive> using Aabb_traits = CGAL::AABB_traits<Kernel, Primitive>;
+template <class Kernel, class Primitive, class Box_map = CGAL::Default>
+using Aabb_traits = CGAL::AABB_traits<Kernel, Primitive, Box_map>;
 template <class Kernel, class Iterator>
 using Aabb_segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
 #endif

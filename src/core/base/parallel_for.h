@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The one place where threads are started for computations.
 #ifndef REEBQUAD_BASE_PARALLEL_FOR_H
 #define REEBQUAD_BASE_PARALLEL_FOR_H
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -19,36 +21,46 @@ inline int number_of_threads(int asked) {
   return asked > 0 ? asked : int(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, and from fewer if the system gives no more, in increasing
-/// order of start. The first exception is thrown again when all threads have ended.
-template <class Work> void parallel_for(int n, int threads, const Work& work) {
-  threads = std::min(threads, n);
-  if (threads <= 1) {
+/// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, in increasing order of start. A thread takes
+/// `at_once` of them at a time. After an exception no more are begun, and the first one is thrown again when all threads have ended.
+/// Where the system refuses a thread, those that there are do the work.
+template <class Work> void parallel_for(int n, int threads, int at_once, const Work& work) {
+  const std::int64_t parts = (std::int64_t(n) + at_once - 1) / at_once;
+  if (threads <= 1 || parts <= 1) {
     for (int i = 0; i < n; ++i) work(i);
     return;
   }
-  std::atomic<int> next{0};
+  std::atomic<std::int64_t> next{0};
   std::exception_ptr failure;
   std::mutex mutex;
   const auto loop = [&] {
     try {
-      for (int i = next++; i < n; i = next++) work(i);
+      for (std::int64_t part = next++; part < parts; part = next++) {
+        const std::int64_t end = std::min<std::int64_t>(n, (part + 1) * at_once);
+        for (std::int64_t i = part * at_once; i < end; ++i) work(int(i));
+      }
     } catch (...) {
-      next = n;
+      next = parts;
       const std::lock_guard<std::mutex> lock(mutex);
       if (!failure) failure = std::current_exception();
     }
   };
-  std::vector<std::thread> pool;
-  pool.reserve(std::size_t(threads));
+  std::vector<std::thread> others;
+  others.reserve(std::size_t(std::min<std::int64_t>(threads, parts)));
   try {
-    for (int t = 1; t < threads; ++t) pool.emplace_back(loop);
+    while (std::int64_t(others.size()) + 1 < std::min<std::int64_t>(threads, parts))
+      others.emplace_back(loop);
   } catch (const std::system_error&) {
-    // Those that there are do it all.
+    // No more threads to be had. One that was started must be joined before anything can be thrown.
   }
   loop();
-  for (std::thread& thread : pool) thread.join();
+  for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);
+}
+
+/// The same, one at a time.
+template <class Work> void parallel_for(int n, int threads, const Work& work) {
+  parallel_for(n, threads, 1, work);
 }
 
 } // namespace internal

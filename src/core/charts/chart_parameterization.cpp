@@ -45,8 +45,9 @@ double Height_profile::level_at(double fraction) const {
   return (double(i - 1) + part) / double(height.size() - 1);
 }
 
-Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart) {
-  return prepare(chart, clamped_cotangent_weights(chart.mesh));
+Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart,
+                                                               const Field_solver_options& options) {
+  return prepare(chart, clamped_cotangent_weights(chart.mesh), {}, options);
 }
 
 std::vector<int> elimination_order(const Chart& chart, const std::vector<int>& place) {
@@ -72,7 +73,8 @@ std::vector<int> places_in(const std::vector<int>& order) {
 }
 
 Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& chart, Edge_weights weights,
-                                                               const std::vector<int>& elimination_order) {
+                                                               const std::vector<int>& elimination_order,
+                                                               const Field_solver_options& options) {
   const Triangle_surface& mesh = chart.mesh;
   if (Result<void> checked = check_weights(mesh, weights); !checked) return checked.error();
   Chart_parameterization p;
@@ -80,7 +82,7 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
   for (const Walk& walk : chart.walks)
     for (int v : walk.vertices) is_fixed[v] = 1;
   Result<Dirichlet_problem> problem =
-      Dirichlet_problem::factorize(mesh, std::move(weights), is_fixed, elimination_order);
+      Dirichlet_problem::factorize(mesh, std::move(weights), is_fixed, elimination_order, options);
   if (!problem) return problem.error();
   p.m_problem = std::move(*problem);
   if (chart.kind == Chart_kind::annulus) {

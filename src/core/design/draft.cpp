@@ -19,9 +19,8 @@ Surface_solver::Surface_solver(const Triangle_surface& surface, const Editor_opt
     : m_surface(surface), m_options(options) {}
 
 Harmonic_field Surface_solver::new_field() const {
-  Harmonic_field field(m_surface);
+  Harmonic_field field(m_surface, {m_options.solver, m_options.constraints});
   field.set_weights(m_options.weights);
-  field.set_method(m_options.constraints);
   field.set_threads(internal::number_of_threads(m_options.threads));
   return field;
 }
@@ -205,7 +204,7 @@ Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
     Edge_weights weights = m_options.chart_weights ? m_options.chart_weights(chart(c))
                                                    : clamped_cotangent_weights(chart(c).mesh);
     Result<Chart_parameterization> map =
-        Chart_parameterization::prepare(chart(c), std::move(weights), order_of(chart(c)));
+        Chart_parameterization::prepare(chart(c), std::move(weights), order_of(chart(c)), field_solver());
     if (!map) return map.error();
     m_maps[c] = std::make_shared<const Chart_parameterization>(std::move(*map));
   }

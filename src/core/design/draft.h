@@ -62,6 +62,7 @@ public:
   const Triangle_surface& surface() const { return m_surface; }
   Surface_solver& solver() const { return m_solver; }
   const Editor_options& options() const { return m_options; }
+  Field_solver_options field_solver() const { return {m_options.solver, m_options.constraints}; }
   Observer* observer() const { return m_observer; }
   const Design& before() const { return m_before; }
 

@@ -244,7 +244,7 @@ private:
     std::vector<char> fixed;
     for (int origin : m_out.vertex_origin) fixed.push_back(origin >= 0);
     if (std::find(fixed.begin(), fixed.end(), 0) == fixed.end()) return {};
-    Result<Relax_report> report = relax_quads(m_out.mesh, m_projector.surface(), m_projector, fixed, options);
+    Result<Relax_report> report = relax_quads(m_out.mesh, m_projector, fixed, options);
     if (!report) return report.error();
     m_out.relaxation = *report;
     return {};

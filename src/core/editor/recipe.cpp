@@ -177,6 +177,7 @@ template <class F> void fields(F& f, Editor_options& o) {
   f.optional("prepare", o.prepare);
   f.optional("sample_blend", o.sample_blend);
   f.optional("weights", o.weights);
+  f.optional("solver", o.solver);
   f.optional("constraints", o.constraints);
 }
 template <class F> void fields(F& f, Finish_options& o) {
@@ -218,6 +219,7 @@ private:
   static Json json(double x) { return x; }
   static Json json(int x) { return x; }
   static Json json(bool x) { return x; }
+  static Json json(Linear_solver_factory& x) { return x.name(); }
   template <class T> static Json json(std::vector<T>& list) {
     Json array = Json::array();
     for (T& x : list) array.push_back(json(x));
@@ -275,6 +277,12 @@ private:
   static void read(const Json& json, bool& value, const std::string& where) {
     if (!json.is_boolean()) throw Malformed(where + " is neither true nor false");
     value = json.get<bool>();
+  }
+  static void read(const Json& json, Linear_solver_factory& value, const std::string& where) {
+    if (!json.is_string()) throw Malformed(where + " is not a name");
+    Result<Linear_solver_factory> found = linear_solver_named(json.get<std::string>());
+    if (!found) throw Malformed(where + ": " + found.error().message);
+    value = std::move(*found);
   }
   static void read(const Json& json, Point& value, const std::string& where) {
     if (!json.is_array() || json.size() != 3) throw Malformed(where + " is not a list of three numbers");

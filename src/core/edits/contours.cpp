@@ -33,8 +33,9 @@ Result<std::vector<double>> level_field(Draft& draft, int c) {
     is_fixed[v] = 1;
     values[v] = is_maximum ? 0 : 1;
   }
-  Result<Dirichlet_problem> problem = Dirichlet_problem::factorize(
-      chart.mesh, clamped_cotangent_weights(chart.mesh), is_fixed, draft.order_of(chart));
+  Result<Dirichlet_problem> problem =
+      Dirichlet_problem::factorize(chart.mesh, clamped_cotangent_weights(chart.mesh), is_fixed,
+                                   draft.order_of(chart), draft.field_solver());
   if (!problem) return problem.error();
   if (Result<void> solved = problem->solve(chart.mesh, values); !solved) return solved.error();
   return values;

@@ -83,7 +83,8 @@ Result<void> enforce_by_field(Draft& draft, int old, Contour_edge fresh) {
   Contour_network wanted = draft.network;
   fresh.value = wanted.edges[old].value;
   wanted.edges[old] = std::move(fresh);
-  Result<std::vector<double>> solved = constrained_field(draft.surface(), field, wanted, *critical);
+  Result<std::vector<double>> solved =
+      constrained_field(draft.surface(), field, wanted, *critical, draft.field_solver());
   if (!solved) return refuse("the field cannot be solved", solved.error().message);
   field.values = std::move(*solved);
   Result<Reeb_layout> layout = layout_of(draft, field);

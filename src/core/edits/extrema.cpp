@@ -178,7 +178,7 @@ Result<Dirichlet_problem> region_problem(const Draft& draft, const Region& regio
     for (int v : walk.vertices) is_fixed[v] = 1;
   for (const Design_extremum& e : region.extrema) is_fixed[e.vertex] = 1;
   return Dirichlet_problem::factorize(mesh, clamped_cotangent_weights(mesh), is_fixed,
-                                      draft.order_of(region.chart));
+                                      draft.order_of(region.chart), draft.field_solver());
 }
 
 // The field with the contours' and the extrema's values.

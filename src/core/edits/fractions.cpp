@@ -463,8 +463,8 @@ Result<std::array<int, 2>> pole_ends(const Draft& draft, int disc, const std::ve
 
 // A disc spread on the unit circle, its walk by arc length.
 Result<Chart_parameterization> round_map(const Draft& draft, const Chart& disc) {
-  Result<Chart_parameterization> map =
-      Chart_parameterization::prepare(disc, clamped_cotangent_weights(disc.mesh), draft.order_of(disc));
+  Result<Chart_parameterization> map = Chart_parameterization::prepare(
+      disc, clamped_cotangent_weights(disc.mesh), draft.order_of(disc), draft.field_solver());
   if (!map) return map;
   const std::vector<int>& walk = disc.walks[0].vertices;
   std::vector<double> along(1, 0.0), x, y;

@@ -140,8 +140,7 @@ private:
 
   Result<void> relax(Finished_quads& quads, const Vertex_constraints& constraints,
                      const Relax_options& options) const {
-    Result<Relax_report> report =
-        relax_quads(quads.mesh, m_projector.surface(), m_projector, constraints, options, m_observer);
+    Result<Relax_report> report = relax_quads(quads.mesh, m_projector, constraints, options, m_observer);
     if (!report) return report.error();
     quads.relaxation = *report;
     return {};

@@ -100,8 +100,7 @@ private:
     Relax_options options;
     options.untangle = false; // which may take vertices off the surface
     options.more_iterations = 0;
-    const Result<Relax_report> relaxed =
-        relax_quads(m_after, m_chart.mesh, m_projector, constraints, options);
+    const Result<Relax_report> relaxed = relax_quads(m_after, m_projector, constraints, options);
     CGAL_assertion(bool(relaxed)); // the constraints fit, and nobody cancels
     CGAL_USE(relaxed);
   }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 
-#include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
-#include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
+#include "field/penalty.h"
 
 #include <CGAL/assertions.h>
 
@@ -16,10 +15,11 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-constexpr double penalty_factor = 1e8; // the paper's alpha, relative to the largest diagonal entry
-// Updating CHOLMOD's factor costs about a hundredth of a factorization a row, and its errors add up.
-constexpr std::size_t most_updates = 10;
-constexpr int most_accumulated_updates = 100;
+// Updating a factor costs about a thousandth of a factorization for each row.
+constexpr std::size_t most_updates = 200;
+// An update by a penalty leaves errors of about 1e-9 of the solution, which a round of refinement squares.
+constexpr int most_refinements = 3;
+constexpr double refined_residual = 1e-15;
 constexpr double tolerated_overshoot =
     1e-6; // of the constraints' range, before weights are clamped everywhere
 
@@ -73,30 +73,29 @@ Neighbour_order order_around(const Triangle_surface& s, const std::vector<double
 } // namespace
 
 struct Harmonic_field::Implementation {
-  explicit Implementation(const Triangle_surface& s) : surface(&s), component(component_representatives(s)) {}
+  Implementation(const Triangle_surface& s, const Field_solver_options& options)
+      : surface(&s), component(component_representatives(s)), method(options.constraints),
+        solver(options.solver()) {}
 
   const Triangle_surface* surface;
   std::optional<Edge_weights> weights; // cotangents, once they are asked for, unless others are set
   std::vector<int> component;
   std::map<int, double> constraints;
-  Constraint_method method = Constraint_method::elimination;
+  Constraint_method method;
   std::optional<Laplace_system>
       system; // of the whole surface; its pattern serves all weights and constraints
-  Multifrontal_solver solver;
-  Cholmod_solver penalty_solver;
-  std::vector<double> penalized_values; // the matrix of the penalty solver's factor, without the penalties
-  std::vector<int> penalized;           // the constraints in it
-  int accumulated_updates = 0;
+  Any_linear_solver solver;
   double residual = 0;
 
   const Edge_weights& current_weights();
   void fill(const Edge_weights& used);
   Result<void> check_components() const;
   void eliminate(Symmetric_matrix& matrix, std::vector<double>& right_side) const;
-  double penalty_of(const Symmetric_matrix& matrix) const;
-  Result<void> factorize_penalized(const Symmetric_matrix& unconstrained, double penalty);
-  Result<void> solve_eliminated(Symmetric_matrix& matrix, std::vector<double>& b, std::vector<double>& x);
-  Result<void> solve_penalized(Symmetric_matrix& matrix, std::vector<double>& b, std::vector<double>& x);
+  Result<void> factorize_by_updates(const Symmetric_matrix& unconstrained, double penalty);
+  Result<void> solve_eliminated(std::vector<double>& x);
+  Result<void> solve_penalized(std::vector<double>& x);
+  Result<void> solve_factorized(const Symmetric_matrix& matrix, const std::vector<double>& b,
+                                std::vector<double>& x, bool was_updated = false);
   Result<std::vector<double>> solve(const Edge_weights& used);
   std::vector<int> spurious_extrema(const std::vector<double>& values) const;
   int raise_weights(Edge_weights& used, const std::vector<int>& vertices, double low) const;
@@ -156,72 +155,85 @@ void Harmonic_field::Implementation::eliminate(Symmetric_matrix& m, std::vector<
   }
 }
 
-double Harmonic_field::Implementation::penalty_of(const Symmetric_matrix& m) const {
-  double largest = 0;
-  for (int j = 0; j < m.size; ++j) largest = std::max(largest, m.value[m.column_begin[j]]);
-  return penalty_factor * largest;
-}
-
-// Updates the last factor where only few constraints came or went since, and factorizes otherwise.
-Result<void> Harmonic_field::Implementation::factorize_penalized(const Symmetric_matrix& unconstrained,
-                                                                 double penalty) {
-  std::vector<int> wanted, changed;
-  for (const auto& [v, value] : constraints) wanted.push_back(v);
-  std::set_symmetric_difference(wanted.begin(), wanted.end(), penalized.begin(), penalized.end(),
-                                std::back_inserter(changed));
-  const bool updates = penalized_values == unconstrained.value && changed.size() <= most_updates &&
-                       accumulated_updates + int(changed.size()) <= most_accumulated_updates;
-  penalized_values.clear(); // until the factor is there
-  if (updates) {
-    std::vector<double> amounts;
-    for (const int v : changed) amounts.push_back(constraints.count(v) ? penalty : -penalty);
-    const Result<void> updated = penalty_solver.add_to_diagonal(changed, amounts);
-    if (!updated) return updated;
-    accumulated_updates += int(changed.size());
-  } else {
-    Symmetric_matrix matrix = unconstrained;
-    for (const int v : wanted) matrix.value[matrix.column_begin[v]] += penalty;
-    const Result<void> factorized = penalty_solver.factorize(matrix);
-    if (!factorized) return factorized;
-    accumulated_updates = 0;
+// Solves with the last factorization. Of a factor that was updated the solution is mended by that of its residual.
+Result<void> Harmonic_field::Implementation::solve_factorized(const Symmetric_matrix& matrix,
+                                                              const std::vector<double>& b,
+                                                              std::vector<double>& x, bool was_updated) {
+  std::vector<int> penalized;
+  if (method == Constraint_method::penalty)
+    for (const auto& [v, value] : constraints) penalized.push_back(v);
+  x = b;
+  if (const Result<void> solved = solver.solve(x.data()); !solved) return solved;
+  residual = internal::penalized_residual(matrix, penalized, x.data(), b.data());
+  for (int round = 0; was_updated && round < most_refinements && residual > refined_residual; ++round) {
+    std::vector<double> correction(x.size());
+    multiply(matrix, x.data(), correction.data());
+    for (std::size_t i = 0; i < b.size(); ++i) correction[i] = b[i] - correction[i];
+    if (const Result<void> solved = solver.solve(correction.data()); !solved) return solved;
+    for (std::size_t i = 0; i < b.size(); ++i) x[i] += correction[i];
+    residual = internal::penalized_residual(matrix, penalized, x.data(), b.data());
   }
-  penalized_values = unconstrained.value;
-  penalized = std::move(wanted);
-  return {};
+  if (residual <= largest_accepted_residual) return {};
+  return make_error(Error_code::solver_failure,
+                    "The harmonic field's residual is too large: " + std::to_string(residual) + ".");
 }
 
-Result<void> Harmonic_field::Implementation::solve_penalized(Symmetric_matrix& m, std::vector<double>& b,
-                                                             std::vector<double>& x) {
-  const double penalty = penalty_of(m);
-  for (const auto& [v, value] : constraints) b[v] = penalty * value;
-  Result<void> result = factorize_penalized(m, penalty);
-  for (const auto& [v, value] : constraints) m.value[m.column_begin[v]] += penalty;
-  x = b;
-  return result ? penalty_solver.solve(x.data()) : result;
+Result<void> Harmonic_field::Implementation::solve_eliminated(std::vector<double>& x) {
+  Symmetric_matrix matrix = system->matrix;
+  std::vector<double> b(matrix.size, 0.0);
+  eliminate(matrix, b);
+  const Result<void> factorized = solver.factorize(matrix);
+  return factorized ? solve_factorized(matrix, b, x) : factorized;
 }
 
-Result<void> Harmonic_field::Implementation::solve_eliminated(Symmetric_matrix& m, std::vector<double>& b,
-                                                              std::vector<double>& x) {
-  eliminate(m, b);
-  const Result<void> factorized = solver.factorize(m);
-  x = b;
-  return factorized ? solver.solve(x.data()) : factorized;
+// Begins every time with a factor that surface and weights alone decide, so that the bits of the solution do not depend
+// on what was solved before, nor errors of updates add up. There a vertex of each component is held by a conductance of
+// the size of the others: unlike a penalty it can be taken off again without loss.
+Result<void> Harmonic_field::Implementation::factorize_by_updates(const Symmetric_matrix& unconstrained,
+                                                                  double penalty) {
+  Symmetric_matrix held = unconstrained;
+  const double conductance = penalty / internal::penalty_factor;
+  std::map<int, double> change;
+  for (int v = 0; v < held.size; ++v)
+    if (component[v] == v) {
+      held.value[held.column_begin[v]] += conductance;
+      change[v] -= conductance;
+    }
+  for (const auto& [v, value] : constraints) change[v] += penalty;
+  std::vector<int> rows;
+  std::vector<double> amounts;
+  for (const auto& [v, amount] : change) {
+    rows.push_back(v);
+    amounts.push_back(amount);
+  }
+  const Result<void> factorized = solver.factorize(held);
+  return factorized ? solver.add_to_diagonal(rows, amounts) : factorized;
+}
+
+Result<void> Harmonic_field::Implementation::solve_penalized(std::vector<double>& x) {
+  const Symmetric_matrix& unconstrained = system->matrix;
+  const double penalty = internal::penalty_of(unconstrained);
+  Symmetric_matrix matrix = unconstrained;
+  std::vector<double> b(matrix.size, 0.0);
+  for (const auto& [v, value] : constraints) {
+    matrix.value[matrix.column_begin[v]] += penalty;
+    b[v] = penalty * value;
+  }
+  if (solver.can_update() && constraints.size() <= most_updates &&
+      factorize_by_updates(unconstrained, penalty) && solve_factorized(matrix, b, x, true))
+    return {};
+  const Result<void> factorized = solver.factorize(matrix);
+  return factorized ? solve_factorized(matrix, b, x) : factorized;
 }
 
 Result<std::vector<double>> Harmonic_field::Implementation::solve(const Edge_weights& used) {
-  const Result<void> determined = check_components();
-  if (!determined) return determined.error();
+  if (const Result<void> determined = check_components(); !determined) return determined.error();
   fill(used);
-  Symmetric_matrix matrix = system->matrix;
-  std::vector<double> b(matrix.size, 0.0), x;
-  const Result<void> solved = method == Constraint_method::elimination ? solve_eliminated(matrix, b, x)
-                                                                       : solve_penalized(matrix, b, x);
+  std::vector<double> x;
+  const Result<void> solved =
+      method == Constraint_method::elimination ? solve_eliminated(x) : solve_penalized(x);
   if (!solved) return solved.error();
-  residual = relative_residual(matrix, x.data(), b.data());
-  if (residual <= largest_accepted_residual) return x;
-  penalized_values.clear(); // the next solve starts from a new factorization
-  return make_error(Error_code::solver_failure,
-                    "The harmonic field's residual is too large: " + std::to_string(residual) + ".");
+  return x;
 }
 
 std::vector<int> Harmonic_field::Implementation::spurious_extrema(const std::vector<double>& f) const {
@@ -270,8 +282,8 @@ bool Harmonic_field::Implementation::is_acceptable(const std::vector<double>& f,
   return true;
 }
 
-Harmonic_field::Harmonic_field(const Triangle_surface& surface)
-    : m_implementation(std::make_unique<Implementation>(surface)) {}
+Harmonic_field::Harmonic_field(const Triangle_surface& surface, const Field_solver_options& options)
+    : m_implementation(std::make_unique<Implementation>(surface, options)) {}
 Harmonic_field::~Harmonic_field() = default;
 Harmonic_field::Harmonic_field(Harmonic_field&&) noexcept = default;
 Harmonic_field& Harmonic_field::operator=(Harmonic_field&&) noexcept = default;

@@ -98,12 +98,12 @@ struct Cholmod_solver::Implementation {
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
-    common.method[0].ordering = ordering == Ordering::minimum_degree ? CHOLMOD_AMD : CHOLMOD_METIS;
     common.postorder = 1;
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
   ~Implementation() {
+    cholmod_free_factor(&updated, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_free_factor(&symbolic, &common);
     cholmod_finish(&common);
@@ -112,9 +112,14 @@ struct Cholmod_solver::Implementation {
   Ordering ordering;
   Symmetric_matrix pattern;
   cholmod_common common;
+  std::vector<double> factorized_values; // of the matrix, while the factor can be gone back to
+  std::vector<int> order;
   cholmod_factor* symbolic = nullptr; // kept, for updates change the form of the numeric one
-  cholmod_factor* factor = nullptr;
-  bool is_analyzed = false, is_factorized = false;
+  cholmod_factor* factor = nullptr;   // as it was factorized; updates change it unless it is kept
+  cholmod_factor* updated = nullptr;  // a copy of it with updates, if there were any and it is kept
+  bool is_analyzed = false, is_factorized = false, is_incremental = false;
+
+  cholmod_factor* current() const { return updated ? updated : factor; }
 
   // What CHOLMOD's status means; `factor` tells the row of a failed pivot.
   Result<void> status(bool succeeded) const {
@@ -123,9 +128,8 @@ struct Cholmod_solver::Implementation {
     if (common.status == CHOLMOD_TOO_LARGE)
       return make_error(Error_code::solver_failure, "The matrix is too large for CHOLMOD's integers.");
     if (common.status == CHOLMOD_NOT_POSDEF) {
-      const int step = factor && factor->minor < factor->n ? int(factor->minor) : -1;
-      const int row = step < 0 || !factor->Perm ? step : static_cast<const int*>(factor->Perm)[step];
-      return not_definite(row);
+      const cholmod_factor* l = current();
+      return not_definite(l && l->minor < l->n ? order[l->minor] : -1);
     }
     if (!succeeded || common.status < CHOLMOD_OK)
       return make_error(Error_code::solver_failure,
@@ -138,10 +142,10 @@ struct Cholmod_solver::Implementation {
     Result<void> result = status(succeeded);
     if (result) {
       // An LDL' factor may have lost its sign without CHOLMOD's minding.
-      const int* begin = static_cast<const int*>(factor->p);
-      const double* x = static_cast<const double*>(factor->x);
-      for (std::size_t j = 0; j < factor->n && result; ++j)
-        if (!(x[begin[j]] > 0)) result = not_definite(static_cast<const int*>(factor->Perm)[j]);
+      const int* begin = static_cast<const int*>(current()->p);
+      const double* x = static_cast<const double*>(current()->x);
+      for (std::size_t j = 0; j < order.size() && result; ++j)
+        if (!(x[begin[j]] > 0)) result = not_definite(order[j]);
     }
     is_factorized = bool(result);
     return result;
@@ -150,10 +154,9 @@ struct Cholmod_solver::Implementation {
   // CHOLMOD takes a pivot that is only what rounding leaves of zero.
   Result<void> check_pivots(const Symmetric_matrix& m) const {
     const std::vector<double> pivot = pivots(*factor);
-    const int* original = static_cast<const int*>(factor->Perm);
     for (int j = 0; j < m.size; ++j)
-      if (!(pivot[j] > smallest_pivot_ratio * m.value[m.column_begin[original[j]]]))
-        return not_definite(original[j]);
+      if (!(pivot[j] > smallest_pivot_ratio * m.value[m.column_begin[order[j]]]))
+        return not_definite(order[j]);
     return {};
   }
 
@@ -163,23 +166,17 @@ struct Cholmod_solver::Implementation {
                       "A factor was asked for before a successful factorization.");
   }
 
+  Result<void> analyze(const Symmetric_matrix& new_pattern, int method, const std::vector<int>* given);
+  void free_updates() { cholmod_free_factor(&updated, &common); }
   // Rank-one terms: rows[k] * roots[k]. The update routines want the factor's own order.
   Result<void> update(bool adds, const std::vector<int>& rows, const std::vector<double>& roots);
-  Column in_factor_order(const Symmetric_matrix& matrix, int row) const;
-  std::vector<int> places() const;
 };
-
-std::vector<int> Cholmod_solver::Implementation::places() const {
-  std::vector<int> place(pattern.size);
-  const int* original = static_cast<const int*>(factor->Perm);
-  for (int i = 0; i < pattern.size; ++i) place[original[i]] = i;
-  return place;
-}
 
 Result<void> Cholmod_solver::Implementation::update(bool adds, const std::vector<int>& rows,
                                                     const std::vector<double>& roots) {
   if (rows.empty()) return {};
-  const std::vector<int> place = places();
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = int(i);
   Column terms;
   terms.begin.push_back(0);
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -188,7 +185,7 @@ Result<void> Cholmod_solver::Implementation::update(bool adds, const std::vector
     terms.begin.push_back(int(k) + 1);
   }
   cholmod_sparse c = terms.view(pattern.size);
-  return finish(cholmod_updown(adds, &c, factor, &common));
+  return finish(cholmod_updown(adds, &c, current(), &common));
 }
 
 Cholmod_solver::Cholmod_solver(Ordering ordering)
@@ -201,21 +198,54 @@ int Cholmod_solver::size() const {
   return m_implementation->pattern.size;
 }
 
-Result<void> Cholmod_solver::analyze(const Symmetric_matrix& pattern) {
+const std::vector<int>& Cholmod_solver::elimination_order() const {
+  return m_implementation->order;
+}
+
+void Cholmod_solver::set_incremental(bool incremental) {
   Implementation& impl = *m_implementation;
-  impl.is_analyzed = impl.is_factorized = false;
-  const Result<void> checked = check_pattern(pattern);
-  if (!checked) return checked;
-  impl.pattern = pattern;
-  cholmod_free_factor(&impl.factor, &impl.common);
-  cholmod_free_factor(&impl.symbolic, &impl.common);
-  impl.is_analyzed = pattern.size == 0; // CHOLMOD refuses the empty matrix
-  if (impl.is_analyzed) return {};
-  cholmod_sparse a = view(impl.pattern);
-  impl.symbolic = cholmod_analyze(&a, &impl.common);
-  const Result<void> result = impl.status(impl.symbolic != nullptr);
-  impl.is_analyzed = bool(result);
-  return result;
+  impl.is_incremental = incremental;
+  if (incremental) return;
+  // What stays is the factor in use.
+  if (impl.updated) std::swap(impl.factor, impl.updated);
+  impl.free_updates();
+  impl.factorized_values.clear();
+}
+
+// `method` is one of CHOLMOD's orderings.
+Result<void> Cholmod_solver::Implementation::analyze(const Symmetric_matrix& new_pattern, int method,
+                                                     const std::vector<int>* given) {
+  is_analyzed = is_factorized = false;
+  factorized_values.clear();
+  if (const Result<void> checked = check_pattern(new_pattern); !checked) return checked;
+  pattern = new_pattern;
+  order.clear();
+  free_updates();
+  cholmod_free_factor(&factor, &common);
+  cholmod_free_factor(&symbolic, &common);
+  is_analyzed = pattern.size == 0; // CHOLMOD refuses the empty matrix
+  if (is_analyzed) return {};
+  cholmod_sparse a = view(pattern);
+  common.method[0].ordering = method;
+  // CHOLMOD reads the order through a pointer that is not const; it does not write.
+  int* const asked = given ? const_cast<int*>(given->data()) : nullptr;
+  symbolic = cholmod_analyze_p(&a, asked, nullptr, 0, &common);
+  const Result<void> result = status(symbolic != nullptr);
+  is_analyzed = bool(result);
+  if (!result) return result;
+  const int* original = static_cast<const int*>(symbolic->Perm);
+  order.assign(original, original + pattern.size);
+  return {};
+}
+
+Result<void> Cholmod_solver::analyze(const Symmetric_matrix& pattern) {
+  const bool by_degree = m_implementation->ordering == Ordering::minimum_degree;
+  return m_implementation->analyze(pattern, by_degree ? CHOLMOD_AMD : CHOLMOD_METIS, nullptr);
+}
+
+Result<void> Cholmod_solver::analyze(const Symmetric_matrix& pattern, const std::vector<int>& order) {
+  CGAL_precondition(int(order.size()) == pattern.size);
+  return m_implementation->analyze(pattern, CHOLMOD_GIVEN, &order);
 }
 
 Result<void> Cholmod_solver::factorize(const Symmetric_matrix& matrix) {
@@ -224,6 +254,13 @@ Result<void> Cholmod_solver::factorize(const Symmetric_matrix& matrix) {
     const Result<void> analyzed = analyze(matrix);
     if (!analyzed) return analyzed;
   }
+  if (!impl.factorized_values.empty() && impl.factorized_values == matrix.value) {
+    impl.free_updates();
+    impl.is_factorized = true;
+    return {};
+  }
+  impl.factorized_values.clear();
+  impl.free_updates();
   impl.is_factorized = matrix.size == 0;
   if (impl.is_factorized) return {};
   // CHOLMOD takes an infinite pivot.
@@ -242,6 +279,7 @@ Result<void> Cholmod_solver::factorize(const Symmetric_matrix& matrix) {
   Result<void> result = impl.status(cholmod_factorize(&a, impl.factor, &impl.common));
   if (result) result = impl.check_pivots(matrix);
   impl.is_factorized = bool(result);
+  if (result && impl.is_incremental) impl.factorized_values = matrix.value;
   return result;
 }
 
@@ -252,7 +290,7 @@ Result<void> Cholmod_solver::solve(double* x, int right_hand_sides) const {
   CGAL_precondition(right_hand_sides >= 0);
   if (size() == 0 || right_hand_sides == 0) return {};
   cholmod_dense b = view(x, size(), right_hand_sides);
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, impl.factor, &b, &impl.common);
+  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, impl.current(), &b, &impl.common);
   const Result<void> result = impl.status(solution != nullptr);
   if (result) std::copy_n(static_cast<const double*>(solution->x), b.nzmax, x);
   cholmod_free_dense(&solution, &impl.common);
@@ -264,7 +302,14 @@ Result<void> Cholmod_solver::add_to_diagonal(const std::vector<int>& rows,
   CGAL_precondition(rows.size() == amounts.size());
   Implementation& impl = *m_implementation;
   const Result<void> ready = impl.need_factor();
-  if (!ready) return ready;
+  if (!ready || rows.empty()) return ready;
+  if (impl.is_incremental && !impl.updated) {
+    // The copy is of the simplicial form, so that only the first one converts.
+    if (!cholmod_change_factor(CHOLMOD_REAL, 0, 0, 1, 1, impl.factor, &impl.common))
+      return impl.status(false);
+    impl.updated = cholmod_copy_factor(impl.factor, &impl.common);
+    if (!impl.updated) return impl.status(false);
+  }
   for (const bool adds : {true, false}) {
     std::vector<int> chosen;
     std::vector<double> roots;
@@ -277,45 +322,6 @@ Result<void> Cholmod_solver::add_to_diagonal(const std::vector<int>& rows,
     if (!updated) return updated;
   }
   return {};
-}
-
-// Row and column `row` of the matrix, which the rows deleted so far do not enter.
-Column Cholmod_solver::Implementation::in_factor_order(const Symmetric_matrix& m, int row) const {
-  const std::vector<int> place = places();
-  std::vector<std::pair<int, double>> entries;
-  for (int k = m.column_begin[row]; k < m.column_begin[row + 1]; ++k)
-    entries.push_back({place[m.row[k]], m.value[k]});
-  for (int j = 0; j < row; ++j) {
-    const auto begin = m.row.begin() + m.column_begin[j], end = m.row.begin() + m.column_begin[j + 1];
-    const auto found = std::lower_bound(begin, end, row);
-    if (found != end && *found == row) entries.push_back({place[j], m.value[found - m.row.begin()]});
-  }
-  std::sort(entries.begin(), entries.end());
-  Column column;
-  for (const auto& [i, value] : entries) {
-    column.row.push_back(i);
-    column.value.push_back(value);
-  }
-  column.begin = {0, int(column.row.size())};
-  return column;
-}
-
-Result<void> Cholmod_solver::delete_row(int row) {
-  Implementation& impl = *m_implementation;
-  CGAL_precondition(0 <= row && row < size());
-  const Result<void> ready = impl.need_factor();
-  if (!ready) return ready;
-  return impl.finish(cholmod_rowdel(std::size_t(impl.places()[row]), nullptr, impl.factor, &impl.common));
-}
-
-Result<void> Cholmod_solver::add_row(int row, const Symmetric_matrix& matrix) {
-  Implementation& impl = *m_implementation;
-  CGAL_precondition(0 <= row && row < size() && matrix.size == size());
-  const Result<void> ready = impl.need_factor();
-  if (!ready) return ready;
-  Column column = impl.in_factor_order(matrix, row);
-  cholmod_sparse r = column.view(size());
-  return impl.finish(cholmod_rowadd(std::size_t(impl.places()[row]), &r, impl.factor, &impl.common));
 }
 
 } // namespace Reeb_quadrangulation

@@ -50,7 +50,8 @@ void multiply(const Symmetric_matrix& m, const double* x, double* y) {
   }
 }
 
-double relative_residual(const Symmetric_matrix& m, const double* x, const double* b) {
+double relative_residual(const Symmetric_matrix& m, const double* x, const double* b,
+                         const std::vector<double>& row_scale) {
   std::vector<double> product(m.size), row_sum(m.size, 0.0);
   multiply(m, x, product.data());
   for (int j = 0; j < m.size; ++j)
@@ -60,13 +61,13 @@ double relative_residual(const Symmetric_matrix& m, const double* x, const doubl
     }
   double residual = 0, norm_a = 0, norm_x = 0, norm_b = 0;
   for (int i = 0; i < m.size; ++i) {
-    const double r = std::abs(b[i] - product[i]);
+    const double scale = row_scale.empty() ? 1 : row_scale[i], r = scale * std::abs(b[i] - product[i]);
     // A comparison with a not-a-number is false, so it would slip through a maximum.
     if (!std::isfinite(r)) return std::numeric_limits<double>::infinity();
     residual = std::max(residual, r);
-    norm_a = std::max(norm_a, row_sum[i]);
+    norm_a = std::max(norm_a, scale * row_sum[i]);
     norm_x = std::max(norm_x, std::abs(x[i]));
-    norm_b = std::max(norm_b, std::abs(b[i]));
+    norm_b = std::max(norm_b, scale * std::abs(b[i]));
   }
   return residual == 0 ? 0 : residual / (norm_a * norm_x + norm_b);
 }

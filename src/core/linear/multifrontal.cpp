@@ -147,11 +147,11 @@ int Multifrontal_solver::Implementation::eliminate(int s, double* target, Scratc
     // Blocks are independent; the first 29 % of them are half of the triangle.
     const int middle = int(0.29 * blocks);
     std::vector<double> packed(internal::scratch_size(ld));
-    internal::parallel_for(2, 2, [&](int half) {
-      if (half == 0)
-        update_blocks(middle, blocks, scratch.packed.data());
-      else
+    internal::parallel_for(2, 2, [&](int part) {
+      if (part == 0)
         update_blocks(0, middle, packed.data());
+      else
+        update_blocks(middle, blocks, scratch.packed.data());
     });
   } else {
     update_blocks(0, blocks, scratch.packed.data());
@@ -355,10 +355,12 @@ Result<void> Multifrontal_solver::factorize(const Symmetric_matrix& matrix) {
   } else {
     impl.eliminated_fronts = number_of_fronts();
   }
+  const bool has_updates = impl.is_factorized;
+  impl.is_factorized = false; // until all fronts are, whatever is thrown
   impl.matrix.value = matrix.value;
   impl.factor.resize(impl.tree.factor_size);
   impl.update.resize(impl.tree.fronts.size());
-  if (impl.is_incremental && !impl.is_factorized) {
+  if (impl.is_incremental && !has_updates) {
     std::size_t size = 0;
     for (const Front& front : impl.tree.fronts) size += front.update_size();
     impl.kept_updates.resize(size);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
+#include "base/parallel_for.h"
 #include "relax/relax_state.h"
 
 #include <algorithm>
@@ -86,10 +87,16 @@ bool try_step(State& state, int v, const Point& target, const Sweep& sweep) {
 
 } // namespace
 
+namespace {
+
+constexpr int vertices_at_once = 200; // below this a thread costs more than it saves
+
+} // namespace
+
 int smooth(State& state, const Regime& regime, const Sweep& sweep) {
   std::vector<char> accepted(state.number_of_vertices(), 0);
   for (const std::vector<int>& colour : state.colours)
-    parallel_for(int(colour.size()), state.threads, [&](int i) {
+    internal::parallel_for(int(colour.size()), state.threads, vertices_at_once, [&](int i) {
       const int v = colour[i];
       if (state.sites[v].freedom == Freedom::fixed || (sweep.mask && !(*sweep.mask)[v])) return;
       double size;
@@ -213,9 +220,9 @@ void measure_offsets(const State& state, Relax_report& report) {
 
 } // namespace
 
-Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
-                                 const Surface_projector& projector, const Vertex_constraints& constraints,
-                                 const Relax_options& options, Observer* observer) {
+Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& projector,
+                                 const Vertex_constraints& constraints, const Relax_options& options,
+                                 Observer* observer) {
   if (Result<void> checked = check(mesh, constraints, options); !checked) return checked.error();
   const std::vector<Point> original = mesh.points;
   const Quality before = measure(mesh);
@@ -226,7 +233,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Triangle_surface& input,
     return true;
   };
 
-  State state(mesh, input, projector, constraints, options.threads);
+  State state(mesh, projector, constraints, options.threads);
   report.boundary_vertices = relaxation::bind_boundary(state);
   relaxation::bind_to_curves(state, constraints);
   state.colour_vertices();

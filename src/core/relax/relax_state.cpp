@@ -87,9 +87,8 @@ std::vector<double> parameters_on(const Surface_curve& curve, const std::vector<
 
 } // namespace
 
-State::State(Quad_mesh& m, const Triangle_surface& in, const Surface_projector& pr,
-             const Vertex_constraints& constraints, int t)
-    : mesh(m), input(in), projector(pr), threads(t), sites(m.points.size()) {
+State::State(Quad_mesh& m, const Surface_projector& pr, const Vertex_constraints& constraints, int t)
+    : mesh(m), projector(pr), input(pr.surface()), threads(t), sites(m.points.size()) {
   for (std::size_t v = 0; v < constraints.fixed.size(); ++v)
     if (constraints.fixed[v]) sites[v].freedom = Freedom::fixed;
   const int nv = number_of_vertices();

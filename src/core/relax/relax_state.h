@@ -3,15 +3,12 @@
 #ifndef REEBQUAD_RELAX_RELAX_STATE_H
 #define REEBQUAD_RELAX_RELAX_STATE_H
 
-#include "base/parallel_for.h"
-
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -39,12 +36,12 @@ struct Step {
 
 class State {
 public:
-  State(Quad_mesh& mesh, const Triangle_surface& input, const Surface_projector& projector,
-        const Vertex_constraints& constraints, int threads);
+  State(Quad_mesh& mesh, const Surface_projector& projector, const Vertex_constraints& constraints,
+        int threads);
 
   Quad_mesh& mesh;
-  const Triangle_surface& input;
   const Surface_projector& projector;
+  const Triangle_surface& input; ///< the projector's surface
   int threads;
   std::vector<int> first;                              ///< V + 1: range of each vertex in `corners`
   std::vector<int> corners;                            ///< 4 q + i, ascending
@@ -131,17 +128,6 @@ void separate(State& state, double offset, int rounds, Observer* observer);
 /// Relaxes the surroundings of inverted and intersecting quads anew, in at most so many other ways, and keeps what helps. `original`
 /// is where the vertices were at first. Returns the number of pairs of quads that intersect in the end.
 int repair(State& state, const State::Snapshot& original, int attempts, Observer* observer);
-
-/// Runs f(i) for i in [0, n) on up to `threads` threads. f(i) must not depend on another f(j).
-template <class F> void parallel_for(int n, int threads, const F& f) {
-  constexpr int least = 200; // below this a thread costs more than it saves
-  const int parts = std::max(1, std::min(threads, n / least));
-  const auto run = [&](int part) {
-    for (int i = int(std::int64_t(n) * part / parts); i < int(std::int64_t(n) * (part + 1) / parts); ++i)
-      f(i);
-  };
-  internal::parallel_for(parts, parts, run);
-}
 
 } // namespace relaxation
 } // namespace Reeb_quadrangulation
