@@ -122,8 +122,8 @@ Design_energy design_energy(Stitched_mesh quads, const Surface_projector& projec
   relaxation.iterations = sweeps;
   relaxation.more_iterations = 0;
   relaxation.untangle = false;
-  const Result<Relax_report> relaxed = relax_quads(
-      quads.mesh, projector.surface(), projector, std::vector<char>(quads.mesh.points.size(), 0), relaxation);
+  const Result<Relax_report> relaxed =
+      relax_quads(quads.mesh, projector, std::vector<char>(quads.mesh.points.size(), 0), relaxation);
   CGAL_assertion(bool(relaxed)); // nobody can cancel it
   CGAL_USE(relaxed);
   Design_energy energy;
