@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_PLANE_CURVES_H
 #define CGAL_REEB_QUADRANGULATION_PLANE_CURVES_H
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Reeb_quadrangulation/face_graph_surface.h>
 #include <CGAL/Reeb_quadrangulation/plane_contour.h>
 
