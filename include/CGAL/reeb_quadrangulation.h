@@ -91,13 +91,16 @@
 #include <CGAL/Reeb_quadrangulation/render.h>
 #include <CGAL/Reeb_quadrangulation/sampling.h>
 #include <CGAL/Reeb_quadrangulation/search_extrema.h>
+#include <CGAL/Reeb_quadrangulation/shape_kept.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 #include <CGAL/Reeb_quadrangulation/sized_quads.h>
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 #include <CGAL/Reeb_quadrangulation/suggest_edits.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
+#include <CGAL/Reeb_quadrangulation/surface_as_read.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
+#include <CGAL/Reeb_quadrangulation/surface_intersections.h>
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>
 #include <CGAL/Reeb_quadrangulation/texture_operator.h>
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>

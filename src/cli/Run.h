@@ -29,6 +29,7 @@ struct Run {
   std::vector<CGAL::Reeb_quadrangulation::Mend> mends;
   std::vector<CGAL::Reeb_quadrangulation::Error> refused; ///< components that are not surfaces
   std::vector<Component_run> components;
+  CGAL::Reeb_quadrangulation::Triangle_surface as_read; ///< the file, with what filled its holes
   CGAL::Reeb_quadrangulation::Triangle_surface surface; ///< all components
   CGAL::Reeb_quadrangulation::Quad_mesh quads;          ///< of all components
   std::optional<CGAL::Reeb_quadrangulation::Certificate> certificate;

@@ -85,9 +85,11 @@ void declare(Command_line& line) {
        "quads keep edges whose faces' normals differ by more; 0: none")     //
       ("feature-lines", "lay whole lines of quads' edges onto sharp edges") //
       ("field", value<std::string>("WEIGHTS")->default_value("cotangent"),
-       "weights of the field: cotangent or clamped")                                         //
-      ("validate", "demand strict validity: also no inverted quad and no self-intersection") //
-      ("timings", "print the seconds and the memory of every stage")                         //
+       "weights of the field: cotangent or clamped") //
+      ("validate",
+       "demand strict validity: also no inverted quad, and no self-intersection but the input's own") //
+      ("strict", "warnings fail: write nothing and end with 5 where the shape is not kept")           //
+      ("timings", "print the seconds and the memory of every stage")                                  //
       ("quiet", "print errors only");
   declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
@@ -161,6 +163,7 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   options.timings = line.has("timings");
   options.quiet = line.has("quiet");
   options.validate = line.has("validate");
+  options.strict = line.has("strict");
   set_pipeline(line, options.pipeline);
   return options;
 }

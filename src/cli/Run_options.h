@@ -25,6 +25,7 @@ struct Run_options {
   int component = 0; ///< the only one to mesh, counted from 1; 0: all
   bool timings = false;
   bool quiet = false;
+  bool strict = false;   ///< warnings about the shape fail
   bool validate = false; ///< demand strict validity: also no inverted quad and no self-intersection
 };
 

@@ -3,6 +3,8 @@
 #include "Command.h"
 #include "Input.h"
 
+#include <CGAL/Reeb_quadrangulation/surface_intersections.h>
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -21,6 +23,7 @@ constexpr int printed_per_kind = 5;
 struct Findings {
   Surface_check check;
   Mended_surface mended;
+  Surface_intersections intersections;
 };
 
 /// The method takes what is left after mending if no component had to be refused.
@@ -36,6 +39,8 @@ void print_json(const std::string& file, const Findings& findings) {
   out["mends"] = nlohmann::ordered_json::array();
   for (const Mend& mend : findings.mended.mends)
     out["mends"].push_back({{"count", mend.count}, {"text", mend.text}});
+  out["intersections"] = {{"within_components", findings.intersections.within},
+                          {"between_components", findings.intersections.between}};
   out["refused"] = nlohmann::ordered_json::array();
   for (const Error& error : findings.mended.refused)
     out["refused"].push_back(
@@ -65,6 +70,13 @@ void print_defects(const Surface_check& check) {
   }
 }
 
+void print_intersections(const Surface_intersections& found) {
+  if (found.pairs.empty()) return;
+  std::cout << "  self-intersections: " << found.within << " pairs of triangles within components, "
+            << found.between << " between them" << (found.is_complete ? "" : " or more")
+            << "; the quads will intersect there too\n";
+}
+
 void print_text(const std::string& file, const Findings& findings) {
   const Surface_check& check = findings.check;
   std::cout << file << ": " << check.points << " points, " << check.faces << " faces (" << check.triangles
@@ -73,10 +85,12 @@ void print_text(const std::string& file, const Findings& findings) {
   print_components(check);
   print_defects(check);
   for (const Mend& mend : findings.mended.mends) std::cout << "  mended: " << mend.text << '\n';
+  print_intersections(findings.intersections);
   for (const Error& error : findings.mended.refused) std::cout << "  refused: " << error.message << '\n';
-  std::cout << (accepted(findings)
-                    ? check.is_clean() ? "a clean surface\n" : "a surface that the method takes\n"
-                    : "not a surface that the method takes\n");
+  std::cout << (accepted(findings) ? check.is_clean() && findings.intersections.pairs.empty()
+                                         ? "a clean surface\n"
+                                         : "a surface that the method takes\n"
+                                   : "not a surface that the method takes\n");
 }
 
 } // namespace
@@ -93,12 +107,13 @@ Exit_code execute_check(const Arguments& arguments) {
   const Polygon_soup soup = read_soup(file);
   Check_options options;
   if (line.has("all")) options.listed_per_kind = -1;
-  Findings findings{check_surface(soup, options), {}};
+  Findings findings{check_surface(soup, options), {}, {}};
   Result<Mended_surface> mended = mend_surface(soup, mending(line));
   if (mended)
     findings.mended = std::move(*mended);
   else
     findings.mended.refused = {mended.error()};
+  findings.intersections = surface_intersections(joined(findings.mended));
 
   if (line.has("json"))
     print_json(file, findings);

@@ -10,6 +10,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/surface_as_read.h>
 
 #include "view/Html_report.h"
 
@@ -73,6 +74,7 @@ private:
     } else {
       take_component(*mended);
       m_run.surface = joined(*mended);
+      m_run.as_read = surface_as_read(soup, *mended);
       m_run.mends = std::move(mended->mends);
       m_run.refused = std::move(mended->refused);
       for (Mended_component& component : mended->components)
@@ -177,14 +179,19 @@ private:
     Certificate_options options;
     options.observer = &m_observer;
     begin("certificate");
-    m_run.certificate = certify({m_run.quads, &m_run.surface, predicted}, options);
+    Certificate_input input{m_run.quads, &m_run.surface, predicted};
+    input.as_read = &m_run.as_read;
+    if (m_options.pipeline.edge_length == 0) input.quads_asked = m_options.pipeline.quads;
+    m_run.certificate = certify(input, options);
     end();
     begin("statistics");
-    m_run.statistics = quad_statistics(m_run.quads, &m_run.surface);
+    m_run.statistics = quad_statistics(m_run.quads);
+    if (m_run.certificate->shape) add_shape(*m_run.statistics, *m_run.certificate->shape);
     end();
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
-    const bool good = m_options.validate ? m_run.certificate->strictly_valid : m_run.certificate->passed;
-    if (!good) m_run.status = Exit_code::certificate_failed;
+    const bool good = m_options.validate ? m_run.certificate->valid_as_input : m_run.certificate->passed;
+    const bool warned = m_options.strict && !m_run.certificate->warnings.empty();
+    if (!good || warned) m_run.status = Exit_code::certificate_failed;
   }
 
   void write_outputs() {
@@ -229,17 +236,31 @@ private:
   void print_outcome() const {
     if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
     if (m_run.status == Exit_code::success) {
-      if (!m_options.quiet) std::cout << "\ncertified: " << m_options.output << '\n';
+      const std::size_t warnings = m_run.certificate->warnings.size();
+      if (!m_options.quiet)
+        std::cout << "\ncertified: " << m_options.output
+                  << (warnings == 0   ? ""
+                      : warnings == 1 ? ", with a warning"
+                                      : ", with warnings")
+                  << '\n';
       return;
     }
     std::cout.flush();
+    print_failure();
+    std::cerr << "reebquad: nothing is written to " << m_options.output << '\n';
+  }
+
+  // The first check that failed; with --strict the first warning otherwise.
+  void print_failure() const {
     for (const Certificate_check& check : m_run.certificate->checks)
       if (check.status == Check_status::failed) {
         std::cerr << "reebquad: " << m_options.input << ": the certificate failed: " << check.name << ": "
                   << check.message << '\n';
-        break;
+        return;
       }
-    std::cerr << "reebquad: nothing is written to " << m_options.output << '\n';
+    if (!m_run.certificate->warnings.empty())
+      std::cerr << "reebquad: " << m_options.input
+                << ": the shape is not kept: " << m_run.certificate->warnings.front().text << '\n';
   }
 
   static void print_timings(const std::vector<Stage_time>& stages, std::size_t first, std::size_t last) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/surface_as_read.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,26 +20,36 @@ using namespace CGAL::Reeb_quadrangulation;
 namespace po = boost::program_options;
 
 Exit_code execute_stats(const Arguments& arguments) {
-  Command_line line("stats QUADS [--against INPUT] [--json]");
+  Command_line line("stats QUADS [--against INPUT] [--json] [--strict]");
   line.options.add_options()(
       "against", po::value<std::string>()->value_name("FILE"),
       "the triangle surface that the quads stand for: compares the topology, measures the "
-      "distance and what is undersampled")("json", "print the numbers as JSON");
+      "distance and what is lost of the shape")("json", "print the numbers as JSON")(
+      "strict", "warnings about the shape end with 5");
   line.take("QUADS");
   if (!line.parse(arguments)) return Exit_code::success;
   const std::string file = line.required("QUADS");
 
   watch_for_interruption();
   const Quad_mesh quads = quads_of(read_soup(file), file);
-  std::optional<Triangle_surface> input;
-  if (line.has("against"))
-    input = joined(value_or_fail(mend_surface(read_soup(line.text("against"))), line.text("against")));
+  std::optional<Triangle_surface> input, as_read;
+  if (line.has("against")) {
+    const Polygon_soup soup = read_soup(line.text("against"));
+    input = joined(value_or_fail(mend_surface(soup), line.text("against")));
+    as_read = surface_as_read(soup);
+  }
 
   const Terminal_observer observer(true);
   Certificate_options options;
   options.observer = &observer;
-  const Certificate certificate = certify({quads, input ? &*input : nullptr}, options);
-  const Mesh_statistics statistics = quad_statistics(quads, input ? &*input : nullptr);
+  Certificate_input certified{quads};
+  if (input) {
+    certified.input = &*input;
+    certified.as_read = &*as_read;
+  }
+  const Certificate certificate = certify(certified, options);
+  Mesh_statistics statistics = quad_statistics(quads);
+  if (certificate.shape) add_shape(statistics, *certificate.shape);
   if (interrupted()) return Exit_code::interrupted;
 
   if (line.has("json")) {
@@ -50,7 +61,8 @@ Exit_code execute_stats(const Arguments& arguments) {
   } else {
     std::cout << to_text(certificate) << '\n' << to_text(statistics);
   }
-  return certificate.passed ? Exit_code::success : Exit_code::certificate_failed;
+  const bool warned = line.has("strict") && !certificate.warnings.empty();
+  return certificate.passed && !warned ? Exit_code::success : Exit_code::certificate_failed;
 }
 
 } // namespace reebquad

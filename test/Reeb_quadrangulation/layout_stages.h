@@ -144,7 +144,7 @@ inline std::string faults(const Quad_mesh& mesh, const Triangle_surface& s,
                           const std::map<int, int>& valences,
                           const std::vector<std::pair<int, int>>& components = {}) {
   Certificate_options options;
-  options.measure_distance = options.find_self_intersections = false;
+  options.measure_shape = options.find_self_intersections = false;
   const Certificate certificate = certify({mesh, &s, valences, components}, options);
   std::string text;
   for (const Certificate_check& check : certificate.checks)

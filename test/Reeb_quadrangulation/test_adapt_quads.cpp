@@ -18,7 +18,7 @@ namespace {
 
 std::string faults(const Quad_mesh& mesh, const Triangle_surface& s, const std::map<int, int>& valences) {
   Certificate_options options;
-  options.measure_distance = options.find_self_intersections = false;
+  options.measure_shape = options.find_self_intersections = false;
   std::string text;
   for (const Certificate_check& check : certify({mesh, &s, valences}, options).checks)
     if (check.status == Check_status::failed && check.name != "no_inverted_quads" && check.name != "outward")

@@ -55,7 +55,7 @@ std::vector<std::pair<std::string, Quad_mesh>> meshes() {
 /// All faults that have nothing to do with geometry, but as many boundary loops as before.
 std::string faults(const Quad_mesh& mesh, const Triangle_surface& s) {
   Certificate_options options;
-  options.measure_distance = options.find_self_intersections = false;
+  options.measure_shape = options.find_self_intersections = false;
   std::string text;
   for (const Certificate_check& check : certify({mesh, &s}, options).checks)
     if (check.status == Check_status::failed && check.name != "no_inverted_quads" && check.name != "outward")

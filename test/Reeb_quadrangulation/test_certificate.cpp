@@ -4,6 +4,7 @@
 #include "tiny_surfaces.h"
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/surface_intersections.h>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -21,6 +22,12 @@ Names with_status(const Certificate& certificate, Check_status status) {
   Names names;
   for (const Certificate_check& check : certificate.checks)
     if (check.status == status) names.insert(check.name);
+  return names;
+}
+
+Names names_of(const std::vector<Shape_warning>& warnings) {
+  Names names;
+  for (const Shape_warning& w : warnings) names.insert(w.name);
   return names;
 }
 
@@ -234,6 +241,86 @@ TEST_CASE("A mesh turned inside out is found, also when it is one of two compone
   CHECK(c.check("outward").measured == Approx(0.5));
 }
 
+TEST_CASE("Front and back nearer than rounding: the volume's sign decides, or nothing does") {
+  // A panel 440 x 4 of thickness 4e-6: the nearest quad of a point may be one of the other side.
+  const auto panel = [](double thickness) {
+    Quad_mesh mesh = tiny::subdivided(tiny::subdivided(tiny::quad_cube()));
+    for (Point& p : mesh.points) p = Point(440 * p.x(), 4 * p.y(), thickness * p.z());
+    return mesh;
+  };
+  const Quad_mesh sound = panel(4e-6);
+  const Triangle_surface input = tiny::triangulated(sound);
+  Quad_mesh turned = sound;
+  for (Quad& q : turned.quads) std::swap(q[1], q[3]);
+  CHECK(certify({sound, &input}).check("outward").status == Check_status::passed);
+  const Certificate c = certify({turned, &input});
+  CHECK(c.check("outward").status == Check_status::failed);
+  CHECK(c.check("outward").index == 0);
+  const Quad_mesh flat = panel(0);
+  const Triangle_surface flat_input = tiny::triangulated(flat);
+  CHECK(certify({flat, &flat_input}).check("outward").status == Check_status::not_checked);
+}
+
+TEST_CASE("A spike that the quads leave out says nothing of how they face") {
+  const Quad_mesh quads = tiny::subdivided(tiny::subdivided(tiny::quad_cube()));
+  Triangle_surface input = tiny::triangulated(quads);
+  input.points[0] = Point(-1e5, -2e5, -1e5); // a corner far away: nearly all of the area hangs on it
+  const Certificate c = certify({quads, &input});
+  CHECK(c.check("outward").status == Check_status::passed);
+  CHECK(names_of(c.warnings).count("lost_area") == 1);
+  Quad_mesh turned = quads;
+  for (Quad& q : turned.quads) std::swap(q[1], q[3]);
+  CHECK(failed(certify({turned, &input})) == Names{"outward"});
+}
+
+TEST_CASE("Intersections of the input are told apart from those of the quads") {
+  const Quad_mesh crossing =
+      tiny::subdivided(tiny::together(tiny::quad_cube(), tiny::quad_cube(Point(0.5, 0.3, 0.3))));
+  const Triangle_surface input = tiny::triangulated(crossing);
+  Certificate c = certify({crossing, &input});
+  CHECK(c.passed);
+  CHECK_FALSE(c.strictly_valid);
+  CHECK(c.valid_as_input);
+  CHECK(c.check("no_self_intersections").status == Check_status::passed);
+  CHECK(c.input_intersections == int(c.intersecting_quads.size()));
+  CHECK(c.input_intersections > 0);
+  CHECK(names_of(c.warnings) == Names{"input_intersections"});
+
+  SECTION("against an input that does not intersect itself they are the quads' own") {
+    const Triangle_surface apart = tiny::triangulated(tiny::subdivided(tiny::two_cubes()));
+    const Certificate own = certify({crossing, &apart});
+    CHECK(own.input_intersections == 0);
+    CHECK_FALSE(own.valid_as_input);
+    CHECK(own.check("no_self_intersections").measured == double(c.intersecting_quads.size()));
+  }
+  SECTION("a vertex pulled through its own component is not excused by another crossing") {
+    Quad_mesh pulled = crossing;
+    pulled.points[0] = Point(-0.1, 1.2, 1.3); // the corner (0, 0, 0), far from the other cube
+    c = certify({pulled, &input});
+    CHECK_FALSE(c.valid_as_input);
+    CHECK(c.check("no_self_intersections").status == Check_status::failed);
+    CHECK(c.check("no_self_intersections").measured > 0);
+  }
+}
+
+TEST_CASE("Intersections of a surface are counted within and between its components") {
+  const auto counted = [](const Quad_mesh& mesh) { return surface_intersections(tiny::triangulated(mesh)); };
+  CHECK(counted(tiny::two_cubes()).pairs.empty());
+  const Surface_intersections between =
+      counted(tiny::together(tiny::quad_cube(), tiny::quad_cube(Point(0.5, 0.3, 0.3))));
+  CHECK(between.within == 0);
+  CHECK(between.between == std::int64_t(between.pairs.size()));
+  CHECK(between.between > 0);
+  Quad_mesh pulled = tiny::subdivided(tiny::subdivided(tiny::quad_cube()));
+  pulled.points[0] = Point(1.2, 1.1, 1.3);
+  const Surface_intersections within = counted(pulled);
+  CHECK(within.within > 0);
+  CHECK(within.between == 0);
+  const Surface_intersections some = surface_intersections(tiny::triangulated(pulled), 1);
+  CHECK(some.pairs.size() == 1);
+  CHECK_FALSE(some.is_complete);
+}
+
 TEST_CASE("A point that is not finite is found") {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Quad_mesh mesh = tiny::subdivided(tiny::quad_cube());
@@ -390,22 +477,23 @@ TEST_CASE("Distances are fractions of the diagonal, to and from the input") {
   const Quad_mesh cube = tiny::quad_cube();
   const Triangle_surface input = tiny::triangulated(cube);
   Certificate c = certify({cube, &input});
-  REQUIRE(c.distance);
-  CHECK(c.distance->diagonal == Approx(std::sqrt(3.0)));
-  CHECK(c.distance->maximum() == 0);
+  REQUIRE(c.shape);
+  CHECK(c.shape->diagonal == Approx(std::sqrt(3.0)));
+  CHECK(c.shape->distance() < 1e-15);
+  CHECK(c.shape->bound() < 1.01e-4);
   Quad_mesh moved = cube;
   for (Point& p : moved.points) p.x() += 0.1;
   c = certify({moved, &input});
   const double shift = 0.1 / std::sqrt(3.0);
-  CHECK(c.distance->vertices.maximum == Approx(shift));
-  CHECK(c.distance->vertices.mean == Approx(shift / 2)); // the other half lies on the input
-  CHECK(c.distance->centres.maximum == Approx(shift));
-  CHECK(c.distance->centres.mean == Approx(shift / 3)); // the two of the faces x = 0.1 and x = 1.1
-  CHECK(c.distance->input_vertices.maximum == Approx(shift));
-  CHECK(c.distance->input_vertices.farthest == 0);
-  CHECK(c.distance->vertices.farthest % 2 == 1); // one of the face x = 1.1
+  for (const Area_distance& side : {c.shape->from_quads, c.shape->from_input}) {
+    CHECK(side.maximum == Approx(shift));
+    CHECK(side.bound >= side.maximum);
+    CHECK(side.bound <= 1.0101 * side.maximum);
+  }
+  CHECK(c.shape->from_quads.at.x() == Approx(1.1)); // on the one face of the quads that lies outside
+  CHECK(c.shape->box_shift == Approx(shift));
   CHECK(c.check("distance").status == Check_status::not_checked);
-  CHECK(c.check("distance").measured == Approx(shift));
+  CHECK(c.check("distance").measured == Approx(shift).epsilon(0.011));
   Certificate_options options;
   options.maximum_distance = 0.05;
   CHECK(failed(certify({moved, &input}, options)) == Names{"distance"});
@@ -413,61 +501,144 @@ TEST_CASE("Distances are fractions of the diagonal, to and from the input") {
   CHECK(certify({moved, &input}, options).check("distance").status == Check_status::passed);
 }
 
-TEST_CASE("Fewer samples of the input are taken where that is asked for") {
-  const Quad_mesh quads = tiny::quad_cube();
-  Triangle_surface input = tiny::triangulated(tiny::subdivided(quads)); // 26 vertices
-  input.points[1] = Point(3, 0, 0);                                     // far from the quads
-  const auto farthest = [&](int samples) {
-    Certificate_options options;
-    options.distance_samples = samples;
-    return certify({quads, &input}, options).distance->input_vertices.farthest;
-  };
-  CHECK(farthest(0) == 1);
-  CHECK(farthest(26) == 1);
-  CHECK(farthest(25) != 1); // every second vertex: 0, 2, 4, ...
-  CHECK(farthest(1) == 0);
-}
-
 TEST_CASE("A missing limb shows in the distance from the input only") {
-  const Quad_mesh both = tiny::two_cubes();
-  const Triangle_surface input = tiny::triangulated(both);
+  const Triangle_surface input = tiny::triangulated(tiny::two_cubes());
   const Quad_mesh one = tiny::quad_cube();
   const Certificate c = certify({one, &input});
-  CHECK(c.distance->vertices.maximum == 0);
-  CHECK(c.distance->input_vertices.maximum == Approx(3 / std::sqrt(18.0)));
+  CHECK(c.shape->from_quads.maximum < 1e-15);
+  CHECK(c.shape->from_input.maximum == Approx(3 / std::sqrt(18.0)));
+  CHECK(c.shape->components == 2);
+  CHECK(c.shape->lost_components == 1);
+  CHECK(c.shape->lost_area == Approx(0.5).margin(0.001));
 }
 
-TEST_CASE("Distances agree with a search over all triangles") {
-  const Quad_mesh mesh = tiny::quad_torus(7, 5);
-  const Triangle_surface input = tiny::torus(23, 17);
-  const Certificate c = certify({mesh, &input});
-  // Points of a fine sampling of the input are never nearer than the distance, and one of them is nearly so.
-  double greatest = 0;
-  for (const Point& p : mesh.points) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Triangle& t : input.triangles)
-      for (int i = 0; i <= 40; ++i)
-        for (int j = 0; i + j <= 40; ++j)
-          least = std::min(
-              least,
-              (p - (i * input.points[t[0]] + j * input.points[t[1]] + (40 - i - j) * input.points[t[2]]) / 40)
-                  .norm());
-    greatest = std::max(greatest, least);
+namespace {
+
+// A plate 12 x 8 of thickness 1 in long triangles, whose upper long edge sags by `sag` in the quads, between
+// its ends.
+struct Sagging_plate {
+  Quad_mesh quads;
+  Triangle_surface input;
+};
+
+Sagging_plate sagging_plate(double sag) {
+  Sagging_plate plate;
+  plate.quads = tiny::quad_cube();
+  for (int i = 0; i < 3; ++i) plate.quads = tiny::subdivided(plate.quads);
+  plate.input = tiny::triangulated(tiny::quad_cube());
+  for (Point& p : plate.input.points) p = Point(12 * p.x(), 8 * p.y(), p.z());
+  for (Point& p : plate.quads.points) {
+    const bool edge = p.y() == 1 && p.z() == 1;
+    p = Point(12 * p.x(), 8 * p.y(), p.z());
+    if (edge && p.x() > 2 && p.x() < 10) p.z() -= sag;
   }
-  const double distance = c.distance->vertices.maximum * c.distance->diagonal;
-  CHECK(distance <= greatest);
-  CHECK(distance > greatest - 0.01);
+  return plate;
+}
+
+} // namespace
+
+TEST_CASE("What sags between the vertices of a coarse input is measured") {
+  const Sagging_plate plate = sagging_plate(0.1);
+  const Certificate c = certify({plate.quads, &plate.input});
+  // The input has vertices at the corners only, where nothing sags: 0 is what its vertices tell. The point
+  // that is farthest lies on the edge; the nearest quad is the slope from (y = 7, z = 1) down to (y = 8, z =
+  // 0.9).
+  const double farthest = 0.1 / std::sqrt(1 + 0.01), diagonal = std::sqrt(144 + 64 + 1.0);
+  CHECK(c.shape->from_input.maximum * diagonal <= farthest * (1 + 1e-12));
+  CHECK(c.shape->from_input.bound * diagonal >= farthest * (1 - 1e-12));
+  CHECK(c.shape->from_input.bound <= 1.0101 * c.shape->from_input.maximum);
+  CHECK(c.shape->missed_corners == 0);
+  CHECK(c.shape->corners == 8);
+  CHECK(*c.shape->covered_sharp_lines < 0.95);
+}
+
+TEST_CASE("The bound of the distance holds, and a dense sampling comes near to it") {
+  std::mt19937 random(3); // its sequence is fixed by the standard
+  const auto coordinate = [&] { return double(random() % 4096) / 4096 - 0.5; };
+  for (int run = 0; run < 4; ++run) {
+    Quad_mesh mesh = tiny::quad_torus(9 + run, 7);
+    for (Point& p : mesh.points) p += 0.02 * (run % 4) * Point(coordinate(), coordinate(), coordinate());
+    const Triangle_surface input = run % 2 ? tiny::torus(12, 8) : tiny::torus(6, 5);
+    Certificate_options options;
+    options.find_self_intersections = false;
+    const Shape_kept shape = *certify({mesh, &input}, options).shape;
+    // The distance of a dense grid of points of the input.
+    const int n = run % 2 ? 5 : 10;
+    double greatest = 0;
+    for (const Triangle& t : input.triangles)
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; i + j <= n; ++j) {
+          const Point p =
+              (i * input.points[t[0]] + j * input.points[t[1]] + (n - i - j) * input.points[t[2]]) / n;
+          greatest = std::max(greatest, tiny::distance_to_quads(p, mesh));
+        }
+    CAPTURE(run);
+    CHECK(greatest <= shape.from_input.bound * shape.diagonal * (1 + 1e-12));
+    CHECK(greatest >= 0.85 * shape.from_input.bound * shape.diagonal); // the grid misses the farthest point
+    CHECK(shape.from_input.bound <= 1.0101 * shape.from_input.maximum + 1e-4);
+    CHECK(shape.from_quads.bound <= 1.0101 * shape.from_quads.maximum + 1e-4);
+  }
+}
+
+TEST_CASE("The shape is compared with the surface as it was read, points of its own in every triangle") {
+  const Quad_mesh both = tiny::two_cubes();
+  const Triangle_surface input = tiny::triangulated(tiny::quad_cube());
+  Triangle_surface as_read, all = tiny::triangulated(both);
+  for (const Triangle& t : all.triangles) {
+    const int n = as_read.number_of_vertices();
+    for (int v : t) as_read.points.push_back(all.points[v]);
+    as_read.triangles.push_back({n, n + 1, n + 2});
+  }
+  const Quad_mesh one = tiny::subdivided(tiny::quad_cube());
+  Certificate_input certified{one, &input};
+  CHECK(certify(certified).warnings.empty());
+  certified.as_read = &as_read;
+  const Certificate c = certify(certified);
+  CHECK(c.passed); // the topology is that of the mended input
+  CHECK(c.shape->components == 2);
+  CHECK(c.shape->corners == 16);
+  CHECK(c.shape->missed_corners == 8);
+  CHECK(names_of(c.warnings) == Names{"distance", "lost_area", "box_shift", "missed_corners",
+                                      "missed_sharp_edges", "lost_components"});
+  CHECK(to_text(c).find("warning: 8 of 16 corners") != std::string::npos);
+}
+
+TEST_CASE("A count that is missed is a warning") {
+  const Quad_mesh cube = tiny::quad_cube();
+  const Triangle_surface input = tiny::triangulated(cube);
+  Certificate_input certified{cube, &input};
+  for (const auto& [asked, warned] : {std::pair{0, false}, {6, false}, {5, true}, {7, true}}) {
+    certified.quads_asked = asked;
+    CAPTURE(asked);
+    CHECK(names_of(certify(certified).warnings).count("missed_count") == std::size_t(warned));
+  }
+}
+
+TEST_CASE("A sentence says how much of the shape is kept") {
+  Shape_kept shape;
+  shape.from_quads.bound = 0.012;
+  shape.corners = 32;
+  shape.missed_corners = 1;
+  shape.covered_sharp_lines = 0.94;
+  CHECK(shape_summary(shape) ==
+        "distance at most 1.2 % of the diagonal, 31 of 32 corners, 94 % of sharp edges");
+  CHECK(names_of(shape_warnings(shape)) == Names{"missed_corners"});
+  Shape_limits limits;
+  limits.missed_corners = 1;
+  CHECK(shape_warnings(shape, limits).empty());
+  limits.distance = 0.011;
+  CHECK(names_of(shape_warnings(shape, limits)) == Names{"distance"});
 }
 
 TEST_CASE("What is not asked for or cancelled is not checked, and then nothing is strictly valid") {
   const Quad_mesh cube = tiny::quad_cube();
   const Triangle_surface input = tiny::triangulated(cube);
   Certificate_options options;
-  options.find_self_intersections = options.measure_distance = false;
+  options.find_self_intersections = options.measure_shape = false;
   Certificate c = certify({cube, &input}, options);
   CHECK(c.passed);
   CHECK_FALSE(c.strictly_valid);
-  CHECK_FALSE(c.distance);
+  CHECK_FALSE(c.shape);
   CHECK(with_status(c, Check_status::not_checked) == Names{"valences", "no_self_intersections", "distance"});
 
   struct Impatient : Observer {
@@ -540,7 +711,7 @@ TEST_CASE("The JSON of a certificate can be read back; what is not finite is nul
   CHECK(check.at("index") == 0);
   CHECK(json.at("checks").at(9).at("measured").is_null());
   CHECK(json.at("interior_valences") == nlohmann::json{{"3", 8}});
-  CHECK(json.at("distance").is_null());
+  CHECK(json.at("shape").is_null());
   CHECK(json.at("components").at(0).at("euler_characteristic") == 2);
 }
 

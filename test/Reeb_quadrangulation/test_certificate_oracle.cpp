@@ -137,7 +137,7 @@ TEST_CASE("Real meshes have the genus, the loops and the components that are kno
     }
     const Quad_mesh quads = in_threes(input.points, input.triangles);
     Certificate_options options;
-    options.measure_distance = options.find_self_intersections = false;
+    options.measure_shape = options.find_self_intersections = false;
     const Certificate c = certify({quads, &input}, options);
     CHECK(int(c.components.size()) == model.components);
     CHECK(c.check("watertight").measured == model.boundaries);

@@ -250,26 +250,49 @@ TEST_CASE("a failed run writes nothing under the asked name and keeps what is th
   CHECK(contains(refused.err, "taken.obj"));
 }
 
-TEST_CASE("quads with a self-intersection are refused with 5 where strict validity is demanded") {
+TEST_CASE("an input that intersects itself is no fault of the quads: a warning, which fails with --strict") {
   const Temporary_folder folder;
   const std::string input = folder.write("crossing.obj", torus_and_sphere(1)),
                     report_file = folder.path("report.json");
   const std::string quads = folder.write("quads.obj", "kept");
-  const std::vector<std::string> run{"run", input, "-o", quads, "--quads", "500", "--report", report_file};
-  std::vector<std::string> strict = run;
-  strict.push_back("--validate");
-  const Outcome outcome = reebquad(strict);
+  std::vector<std::string> run{"run", input,      "-o",        quads,     "--quads",
+                               "500", "--report", report_file, "--strict"};
+  const Outcome outcome = reebquad(run);
   INFO(outcome.out << outcome.err);
   CHECK(outcome.code == 5);
+  CHECK(contains(outcome.out, "warning: the input intersects itself"));
+  CHECK(contains(outcome.err, "the shape is not kept"));
   CHECK(contains(outcome.err, "nothing is written"));
   CHECK(contents(quads) == "kept");
   const Json report = Json::parse(contents(report_file));
   CHECK(report["status"] == 5);
   CHECK(report["output"].is_null());
-  CHECK(report["certificate"]["passed"] == true);
-  CHECK(report["certificate"]["strictly_valid"] == false);
-  CHECK(status_of(report, "no_self_intersections") == "failed");
+  const Json& certificate = report["certificate"];
+  CHECK(certificate["passed"] == true);
+  CHECK(certificate["strictly_valid"] == false);
+  CHECK(certificate["valid_as_input"] == true);
+  CHECK(certificate["input_intersections"] == certificate["intersecting_quads"].size());
+  CHECK(certificate["warnings"][0]["name"] == "input_intersections");
+  run.back() = "--validate";
   CHECK(reebquad(run).code == 0);
+
+  const Outcome checked = reebquad({"check", input});
+  CHECK(checked.code == 0);
+  CHECK(contains(checked.out, "self-intersections: 0 pairs of triangles within components"));
+  CHECK_FALSE(contains(checked.out, "a clean surface"));
+}
+
+TEST_CASE("the run says how much of the shape is kept, against the file as it was read") {
+  const Shape sphere("sphere", 1500);
+  const Outcome outcome = sphere.run({"--quads", "400"});
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "\nkept: distance at most "));
+  const Json kept = sphere.report()["certificate"]["shape"];
+  CHECK(kept["distance"].get<double>() > 0);
+  CHECK(kept["distance"].get<double>() <= kept["bound"].get<double>());
+  CHECK(kept["bound"].get<double>() < 0.03);
+  CHECK(kept["quads_asked"] == 400);
+  CHECK(contains(outcome.out, kept["summary"].get<std::string>()));
 }
 
 TEST_CASE("triangle formats come with a warning") {

@@ -5,7 +5,9 @@
 
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -107,6 +109,31 @@ inline Quad_mesh subdivided(const Quad_mesh& mesh) {
     for (int i = 0; i < 4; ++i) fine.quads.push_back({q[i], m[i], centre, m[(i + 3) % 4]});
   }
   return fine;
+}
+
+/// The distance of a point to a triangle by way of its plane and its sides.
+inline double distance_to_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const auto to_side = [&](const Point& s, const Point& e) {
+    const double t = std::clamp((p - s).dot(e - s) / (e - s).squaredNorm(), 0.0, 1.0);
+    return (s + t * (e - s) - p).norm();
+  };
+  const Point n = (b - a).cross(c - a).normalized(), foot = p - n.dot(p - a) * n;
+  const auto left_of = [&](const Point& s, const Point& e) { return n.dot((e - s).cross(foot - s)) >= 0; };
+  if (left_of(a, b) && left_of(b, c) && left_of(c, a)) return std::abs(n.dot(p - a));
+  return std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
+}
+
+/// The distance of a point to the nearest quad, each cut along its shorter diagonal. O(quads)
+inline double distance_to_quads(const Point& p, const Quad_mesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Quad& q : mesh.quads) {
+    const Point &a = mesh.points[q[0]], &b = mesh.points[q[1]], &c = mesh.points[q[2]],
+                &d = mesh.points[q[3]];
+    const bool even = (c - a).squaredNorm() <= (d - b).squaredNorm();
+    least = std::min({least, even ? distance_to_triangle(p, a, b, c) : distance_to_triangle(p, a, b, d),
+                      even ? distance_to_triangle(p, a, c, d) : distance_to_triangle(p, b, c, d)});
+  }
+  return least;
 }
 
 } // namespace tiny

@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+#include <CGAL/Reeb_quadrangulation/shape_kept.h>
 
 #include <array>
 #include <cstdint>
@@ -35,9 +36,14 @@ struct Certificate_input {
   /// if the prediction names it, for the number of regular vertices depends on the sampling; every other
   /// valence is compared, so an empty map predicts that there is no extraordinary interior vertex.
   std::optional<std::map<int, int>> predicted_valences{};
-  /// If the quads are meant to have holes that the input has not: the Euler characteristic and the number of boundary loops of each
-  /// component, which are then expected in place of the input's.
+  /// If the quads are meant to have holes that the input has not: the Euler characteristic and the number of
+  /// boundary loops of each component, which are then expected in place of the input's.
   std::vector<std::pair<int, int>> predicted_components{};
+  /// The surface as it was read, before anything was mended, or null; then `input` stands for it. Any
+  /// triangles: points that are equal are taken as one. The shape is compared with it, so that what mending
+  /// dropped counts as lost.
+  const Triangle_surface* as_read = nullptr;
+  int quads_asked = 0; ///< 0: no number of quads was asked for
 };
 
 /// Which of the costly parts to run, and their limits.
@@ -46,14 +52,17 @@ struct Certificate_input {
 /// is linear in the input with a small constant (connectivity only), and the outward check takes a bounded
 /// number of samples. Use that at a million triangles when seconds count.
 struct Certificate_options {
-  bool measure_distance = true;        ///< builds a tree over the input; O((n + m) log(n + m))
+  bool measure_shape = true;           ///< fills `Certificate::shape`; builds a tree over the input
   bool find_self_intersections = true; ///< exact tests of the quads whose boxes meet
   /// The distance check fails above this fraction of the input's bounding box diagonal; infinity: only
   /// measure.
   double maximum_distance = std::numeric_limits<double>::infinity();
-  /// At most about so many input vertices (every k-th) are measured to the quads; 0: all of them. The other
-  /// direction, from the quads to the input, always takes all.
-  int distance_samples = 100000;
+  /// By how much, relative to itself, the distance told may be less than the true one. `Area_distance::bound`
+  /// tells how near it came, which is farther only if `distance_queries` nearest points did not suffice.
+  double distance_error = 0.01;
+  std::int64_t distance_queries = 2000000; ///< in each direction, after one for each vertex
+  int area_samples = 5000;                 ///< of the input, for means and parts of the area
+  Shape_limits limits{};                   ///< what exceeds them becomes a warning
   /// Intersecting pairs are listed up to this number; the check then says that there are at least so many.
   int maximum_intersections = 100000;
   /// May be null. If it cancels, the costly parts that are not finished are left `not_checked`.
@@ -82,26 +91,11 @@ struct Component_counts {
   int euler_characteristic() const { return vertices - edges + faces; }
 };
 
-/// Distances from sample points to a surface, as fractions of the input's bounding box diagonal.
-struct Distance_summary {
-  double maximum = 0;
-  double mean = 0;            ///< over the samples, each with the same weight
-  std::int64_t farthest = -1; ///< index of the sample at the maximum
-};
-
-/// Both sides of the distance between the quads and the input (a sampled Hausdorff distance).
-struct Certificate_distance {
-  double diagonal = 0;             ///< of the input's bounding box, in the input's unit
-  Distance_summary vertices;       ///< quad vertices to the input
-  Distance_summary centres;        ///< quad centres (mean of the corners) to the input
-  Distance_summary input_vertices; ///< input vertices to the quads, each quad as two triangles
-  double maximum() const;
-};
-
 /// The outcome of `certify()`.
 struct Certificate {
   bool passed = false;         ///< no check failed among those of topology, points, valences and orientation
   bool strictly_valid = false; ///< `passed`, and shown to have no inverted quad and no self-intersection
+  bool valid_as_input = false; ///< the same, but for self-intersections where the input has some
   std::vector<Certificate_check> checks; ///< always the same names in the same order
 
   int vertices = 0; ///< points of the quad mesh
@@ -113,7 +107,10 @@ struct Certificate {
   std::map<int, int> boundary_valences;           ///< valence -> number of boundary vertices
   std::vector<int> inverted_quads;                ///< ascending
   std::vector<std::pair<int, int>> intersecting_quads; ///< ascending pairs i < j
-  std::optional<Certificate_distance> distance;        ///< if it was measured
+  int input_intersections = 0;     ///< how many of these lie where the input intersects itself
+  std::optional<Shape_kept> shape; ///< if it was measured
+  std::vector<Shape_warning>
+      warnings; ///< of `shape`, and if the input intersects itself; they do not touch `passed`
 
   /// The check of that name. \pre `name` is one of those in `certify()`.
   const Certificate_check& check(const std::string& name) const;
@@ -139,20 +136,24 @@ struct Certificate {
 /// - `valence_sum`: sum of 4 - valence over interior plus 3 - valence over boundary vertices; 4 (V - E + F)
 /// is
 ///   expected. (With V_b = E_b on the boundary this follows from counting the sides, 4 F = 2 E - E_b.)
-/// - `outward`: the part of the sampled input area whose normal agrees with that of the nearest quad; passes
-/// if
-///   the agreeing area is the greater one on every component (1 is expected).
+/// - `outward`: the part of the sampled input area whose normal agrees with that of the nearest quad;
+///   passes if the agreeing area is the greater one on every component (1 is expected). Area from which the
+///   quads are farther than they are large is left out, and so is area that has quads of both sides about as
+///   near; a closed component of which nearly all is left out is judged by the signs of its volume and the
+///   input's. `not_checked` where that tells nothing either.
 /// - `no_inverted_quads`: quads whose scaled Jacobian is not positive. Definition of the Verdict library
 /// (Stimpson
 ///   et al., "The Verdict geometric quality library", SAND2007-1751): the least of the four corners'
 ///   N . (e_i x e_(i-1)) / (|e_i| |e_(i-1)|), where the e are the edges that leave the corner
 ///   counterclockwise and clockwise, and N is the unit cross product of the principal axes; 0 where an edge
 ///   or N vanishes.
-/// - `no_self_intersections`: pairs of quads that meet in more than what they share. Quads are split at the
-///   shorter diagonal (at equal lengths at the one with the smaller index); decided by exact predicates.
-///   Triangles without area are left out: their quads have a corner of scaled Jacobian 0.
-/// - `distance`: greatest sampled distance to and from the input, as a fraction of the bounding box diagonal;
-///   `maximum_distance` is expected not to be exceeded, and with infinity the check is `not_checked`.
+/// - `no_self_intersections`: pairs of quads that meet in more than what they share, but for those where
+///   triangles of the input do (`Certificate::input_intersections`). Quads are split at the shorter diagonal
+///   (at equal lengths at the one with the smaller index); decided by exact predicates. Triangles without
+///   area are left out: their quads have a corner of scaled Jacobian 0.
+/// - `distance`: the greatest distance over the areas to and from the input as it was read, as a fraction
+///   of the bounding box diagonal. `measured` is the bound that is proved. `maximum_distance` is expected not
+///   to be exceeded, and with infinity the check is `not_checked`.
 ///
 /// The last three are not part of `passed`. Takes O(n + m log m) without the costly parts, for n input
 /// triangles and m quads. The answer depends on the arrays alone.

@@ -3,6 +3,7 @@
 #define CGAL_REEB_QUADRANGULATION_MESH_STATISTICS_H
 
 #include <CGAL/Reeb_quadrangulation/Triangle_surface.h>
+#include <CGAL/Reeb_quadrangulation/shape_kept.h>
 
 #include <array>
 #include <map>
@@ -58,12 +59,13 @@ struct Mesh_statistics {
   /// input that the quads hardly sample, typically a limb without an extremum. Absent without an input.
   std::optional<double> undersampled_area;
 
-  /// The fraction of the length of the input's sharp edges that edges of quads run along: no farther from them than a twentieth of
-  /// their own length, and turned by no more than 20 degrees. Absent without an input, or without a sharp edge.
+  /// The fraction of the length of the input's sharp edges that edges of quads run along: no farther from
+  /// them than a twentieth of their own length, and turned by no more than 20 degrees. Absent without an
+  /// input, or without a sharp edge.
   std::optional<double> covered_sharp_edges;
 
-  /// The same with the first diagonals of quads, corner 0 to corner 2, along which most programs cut them: where these run along a sharp
-  /// edge too, the surface is folded there.
+  /// The same with the first diagonals of quads, corner 0 to corner 2, along which most programs cut them:
+  /// where these run along a sharp edge too, the surface is folded there.
   std::optional<double> folded_sharp_edges;
 };
 
@@ -80,6 +82,9 @@ struct Statistics_options {
 /// m) for m quads, and O(n log n + k log m) for n input triangles and k samples.
 Mesh_statistics quad_statistics(const Quad_mesh& mesh, const Triangle_surface* input = nullptr,
                                 const Statistics_options& options = {});
+
+/// Fills in what `certify()` has measured already of the input: the undersampled area and the sharp edges.
+void add_shape(Mesh_statistics& statistics, const Shape_kept& shape);
 
 /// The statistics as one JSON object (schema: doc/Reeb_quadrangulation/report_schema.md); numbers that are
 /// not finite become null.

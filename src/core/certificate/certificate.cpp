@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 
-#include "certificate/distance.h"
-#include "certificate/geometry.h"
 #include "certificate/intersections.h"
-#include "certificate/topology.h"
-#include "certificate/tree.h"
+#include "certificate/outward.h"
+#include "certificate/shape_measure.h"
+#include "certificate/shared_intersections.h"
 
 #include <CGAL/assertions.h>
 
@@ -42,7 +41,8 @@ std::string text(const std::map<int, int>& histogram) {
 class Certifier {
 public:
   Certifier(const Certificate_input& input, const Certificate_options& options)
-      : m_mesh(input.quads), m_predicted(input.predicted_valences), m_options(options),
+      : m_mesh(input.quads), m_predicted(input.predicted_valences), m_as_read(input.as_read),
+        m_quads_asked(input.quads_asked), m_options(options),
         m_topology(analyse(input.quads.quads, int(input.quads.points.size()), Fans::unknown)) {
     if (input.input) m_input.emplace(read_input(*input.input));
     m_expected = input.predicted_components;
@@ -63,7 +63,8 @@ public:
     conclude_passed();
     check_inverted();
     check_intersections(split, tree);
-    check_distance(tree);
+    warn_of_input();
+    check_distance(split, tree);
     return std::move(m_result);
   }
 
@@ -223,30 +224,24 @@ private:
   void check_outward(const Split_quads& split, const Triangle_tree& tree) {
     if (!m_input) return skip("outward", "no input to compare with");
     if (tree.empty() || m_input->triangles.empty()) return skip("outward", "there is no surface to compare");
-    std::vector<double> agreeing(m_topology.components.size(), 0), opposed = agreeing;
-    int last = -1;
-    for (const Input_sample& sample : sample_triangles(*m_input, outward_samples)) {
-      last = tree.nearest(sample.centre, last).triangle;
-      const int quad = split.quad[last];
-      const double cosine = sample.vector_area.dot(vector_area(corners(m_mesh, quad)));
-      const int component = m_topology.component[m_mesh.quads[quad][0]];
-      if (cosine > 0) agreeing[component] += sample.vector_area.norm();
-      if (cosine < 0) opposed[component] += sample.vector_area.norm();
-    }
+    const std::vector<Facing> facing =
+        compare_facing(m_mesh, m_topology, split, tree, *m_input, outward_samples);
     double agreeing_area = 0, area = 0;
-    Finding turned;
-    for (int c = 0; c < int(agreeing.size()); ++c) {
-      agreeing_area += agreeing[c];
-      area += agreeing[c] + opposed[c];
-      if (opposed[c] > 0 && opposed[c] >= agreeing[c]) turned.note(c);
+    Finding turned, known;
+    for (int c = 0; c < int(facing.size()); ++c) {
+      agreeing_area += facing[c].agreeing;
+      area += facing[c].agreeing + facing[c].opposed;
+      if (facing[c].is_known) known.note(c);
+      if (facing[c].is_turned) turned.note(c);
     }
-    Certificate_check check{"outward", Check_status::passed, agreeing_area / area, 1, "", Element_kind::none,
-                            -1};
-    if (turned.count > 0 || !(area > 0)) {
+    const double part = area > 0 ? agreeing_area / area : unknown;
+    if (known.count == 0)
+      return skip("outward", "front and back are too near to each other to tell them apart", part);
+    Certificate_check check{"outward", Check_status::passed, part, 1, "", Element_kind::none, -1};
+    if (turned.count > 0) {
       check.status = Check_status::failed;
-      check.message = turned.count == 0 ? "no quad has a normal to compare with the input's"
-                                        : "component " + text(turned.element) + " is turned inside out";
-      check.element = turned.count == 0 ? Element_kind::none : Element_kind::component;
+      check.message = "component " + text(turned.element) + " is turned inside out";
+      check.element = Element_kind::component;
       check.index = turned.element;
     }
     m_result.checks.push_back(std::move(check));
@@ -283,29 +278,62 @@ private:
       return;
     }
     m_result.intersecting_quads = std::move(*pairs);
-    const int n = int(m_result.intersecting_quads.size());
-    const auto first = n > 0 ? m_result.intersecting_quads.front() : std::pair<int, int>(-1, -1);
-    add(name, n, 0, Element_kind::face, first.first, [&] {
-      return "quads " + text(first.first) + " and " + text(first.second) + " intersect" +
-             (n >= m_options.maximum_intersections
-                  ? "; at least " + text(n) + " pairs do, more were not sought"
+    const auto first = own_intersection();
+    if (!first) return cancel_intersections(name);
+    const int all = int(m_result.intersecting_quads.size()), n = all - m_result.input_intersections;
+    add(name, n, 0, Element_kind::face, first->first, [&] {
+      return "quads " + text(first->first) + " and " + text(first->second) + " intersect" +
+             (all >= m_options.maximum_intersections
+                  ? "; at least " + text(all) + " pairs do, more were not sought"
                   : "");
     });
-    if (n > 0) m_result.strictly_valid = false;
+    m_result.valid_as_input = m_result.strictly_valid && n == 0;
+    if (all > 0) m_result.strictly_valid = false;
   }
 
-  void check_distance(const Triangle_tree& tree) {
-    if (!m_input) return skip("distance", "no input to compare with");
-    if (!m_options.measure_distance) return skip("distance", "not asked for");
-    if (tree.empty() || m_input->triangles.empty()) return skip("distance", "there is no surface to compare");
-    m_result.distance = measure_distance(m_mesh, m_topology.usable, tree, *m_input, m_options);
-    if (!m_result.distance) return skip("distance", "cancelled");
-    const double distance = m_result.distance->maximum(), limit = m_options.maximum_distance;
+  // The first pair that intersects where the input does not, or (-1, -1); counts those where it does.
+  std::optional<std::pair<int, int>> own_intersection() {
+    const auto& pairs = m_result.intersecting_quads;
+    std::pair<int, int> first(-1, -1);
+    if (!m_input || pairs.empty()) return pairs.empty() ? first : pairs.front();
+    const auto shared = are_in_input(pairs, m_mesh, m_topology, *m_input, m_options.observer);
+    if (!shared) return std::nullopt;
+    m_result.input_intersections = int(std::count(shared->begin(), shared->end(), 1));
+    const auto own = std::find(shared->begin(), shared->end(), 0);
+    return own == shared->end() ? first : pairs[std::size_t(own - shared->begin())];
+  }
+
+  void cancel_intersections(const char* name) {
+    skip(name, "cancelled");
+    m_result.strictly_valid = false;
+  }
+
+  void warn_of_input() {
+    const int n = m_result.input_intersections;
+    if (n == 0) return;
+    m_result.warnings.push_back({"input_intersections", double(n), 0,
+                                 "the input intersects itself: " + text(n) + (n == 1 ? " pair" : " pairs") +
+                                     " of quads meet where its triangles do"});
+  }
+
+  // Against the surface as it was read, if there is that.
+  void check_distance(const Split_quads& split, const Triangle_tree& tree) {
+    if (!m_input && !m_as_read) return skip("distance", "no input to compare with");
+    if (!m_options.measure_shape) return skip("distance", "not asked for");
+    const Input_surface& input = m_as_read ? m_input.emplace(read_soup(*m_as_read)) : *m_input;
+    if (tree.empty() || input.triangles.empty()) return skip("distance", "there is no surface to compare");
+    m_result.shape = measure_shape(m_mesh, m_topology.usable, split, tree, input, m_options);
+    if (!m_result.shape) return skip("distance", "cancelled");
+    m_result.shape->quads = m_topology.faces;
+    m_result.shape->quads_asked = m_quads_asked;
+    const auto warnings = shape_warnings(*m_result.shape, m_options.limits);
+    m_result.warnings.insert(m_result.warnings.end(), warnings.begin(), warnings.end());
+    const double distance = m_result.shape->bound(), limit = m_options.maximum_distance;
     if (std::isinf(limit)) return skip("distance", "measured, without a limit", distance);
     Certificate_check check{"distance", Check_status::passed, distance, limit, "", Element_kind::none, -1};
     if (!(distance <= limit)) {
       check.status = Check_status::failed;
-      check.message = "the quads and the input are " + std::to_string(distance) + " diagonals apart";
+      check.message = "the quads and the input are up to " + std::to_string(distance) + " diagonals apart";
     }
     m_result.checks.push_back(std::move(check));
   }
@@ -317,6 +345,8 @@ private:
 
   const Quad_mesh& m_mesh;
   const std::optional<std::map<int, int>>& m_predicted;
+  const Triangle_surface* m_as_read;
+  int m_quads_asked;
   const Certificate_options& m_options;
   Soup_topology m_topology;
   std::optional<Input_surface> m_input;
@@ -325,10 +355,6 @@ private:
 };
 
 } // namespace
-
-double Certificate_distance::maximum() const {
-  return std::max({vertices.maximum, centres.maximum, input_vertices.maximum});
-}
 
 const Certificate_check& Certificate::check(const std::string& name) const {
   const auto found =

@@ -134,25 +134,42 @@ std::vector<char> triangles_with_area(const std::vector<Point>& points,
   return result;
 }
 
+// `part_of` gives each triangle the quad that it is a part of.
+template <class Part_of>
+std::optional<std::vector<std::pair<int, int>>>
+intersecting(const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Part_of& part_of,
+             const Triangle_tree& tree, int limit, const Observer* observer) {
+  const std::vector<char> has_area = triangles_with_area(points, triangles);
+  std::set<std::pair<int, int>> found;
+  for (int i = 0; i < int(triangles.size()) && int(found.size()) < limit; ++i) {
+    if (i % 256 == 0 && observer && observer->cancelled()) return std::nullopt;
+    if (!has_area[i]) continue;
+    tree.for_boxes_meeting(i, [&](int j) {
+      if (!has_area[j] || part_of(i) == part_of(j) || int(found.size()) >= limit) return;
+      const std::pair<int, int> pair{part_of(i), part_of(j)}; // the quads ascend with their triangles
+      if (found.count(pair) == 0 && meet_beyond_shared(points, triangles[i], triangles[j]))
+        found.insert(pair);
+    });
+  }
+  return std::vector<std::pair<int, int>>(found.begin(), found.end());
+}
+
 } // namespace
 
 std::optional<std::vector<std::pair<int, int>>> intersecting_quads(const std::vector<Point>& points,
                                                                    const Split_quads& split,
                                                                    const Triangle_tree& tree, int limit,
                                                                    const Observer* observer) {
-  const std::vector<char> has_area = triangles_with_area(points, split.triangles);
-  std::set<std::pair<int, int>> found;
-  for (int i = 0; i < int(split.triangles.size()) && int(found.size()) < limit; ++i) {
-    if (i % 256 == 0 && observer && observer->cancelled()) return std::nullopt;
-    if (!has_area[i]) continue;
-    tree.for_boxes_meeting(i, [&](int j) {
-      if (!has_area[j] || split.quad[i] == split.quad[j] || int(found.size()) >= limit) return;
-      const std::pair<int, int> pair{split.quad[i], split.quad[j]}; // the quads ascend with their triangles
-      if (found.count(pair) == 0 && meet_beyond_shared(points, split.triangles[i], split.triangles[j]))
-        found.insert(pair);
-    });
-  }
-  return std::vector<std::pair<int, int>>(found.begin(), found.end());
+  return intersecting(
+      points, split.triangles, [&](int t) { return split.quad[t]; }, tree, limit, observer);
+}
+
+std::optional<std::vector<std::pair<int, int>>> intersecting_triangles(const std::vector<Point>& points,
+                                                                       const std::vector<Triangle>& triangles,
+                                                                       const Triangle_tree& tree, int limit,
+                                                                       const Observer* observer) {
+  return intersecting(
+      points, triangles, [](int t) { return t; }, tree, limit, observer);
 }
 
 } // namespace certification

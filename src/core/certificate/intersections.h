@@ -23,6 +23,12 @@ std::optional<std::vector<std::pair<int, int>>> intersecting_quads(const std::ve
                                                                    const Triangle_tree& tree, int limit,
                                                                    const Observer* observer);
 
+/// The same of triangles.
+std::optional<std::vector<std::pair<int, int>>> intersecting_triangles(const std::vector<Point>& points,
+                                                                       const std::vector<Triangle>& triangles,
+                                                                       const Triangle_tree& tree, int limit,
+                                                                       const Observer* observer);
+
 } // namespace certification
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

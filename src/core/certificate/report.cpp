@@ -51,9 +51,47 @@ Json json(const std::vector<Component_counts>& components) {
   return result;
 }
 
-Json json(const Distance_summary& summary) {
-  return {
-      {"maximum", number(summary.maximum)}, {"mean", number(summary.mean)}, {"farthest", summary.farthest}};
+Json json(const Point& p) {
+  return {number(p.x()), number(p.y()), number(p.z())};
+}
+
+Json json(const Area_distance& distance) {
+  return {{"maximum", number(distance.maximum)},
+          {"bound", number(distance.bound)},
+          {"mean", number(distance.mean)},
+          {"at", json(distance.at)}};
+}
+
+Json json(const std::optional<double>& x) {
+  return x ? number(*x) : Json(nullptr);
+}
+
+Json json(const Shape_kept& shape) {
+  Json result{
+      {"summary", shape_summary(shape)},        {"diagonal", number(shape.diagonal)},
+      {"distance", number(shape.distance())},   {"bound", number(shape.bound())},
+      {"from_quads", json(shape.from_quads)},   {"from_input", json(shape.from_input)},
+      {"input_area", number(shape.input_area)}, {"quad_area", number(shape.quad_area)},
+      {"lost_area", number(shape.lost_area)},   {"undersampled_area", number(shape.undersampled_area)},
+      {"box_shift", number(shape.box_shift)},   {"corners", shape.corners},
+      {"missed_corners", shape.missed_corners}};
+  result["missed_corner"] = shape.missed_corners > 0 ? json(shape.missed_corner) : Json(nullptr);
+  result["covered_sharp_lines"] = json(shape.covered_sharp_lines);
+  result["covered_sharp_edges"] = json(shape.covered_sharp_edges);
+  result["folded_sharp_edges"] = json(shape.folded_sharp_edges);
+  result["components"] = shape.components;
+  result["lost_components"] = shape.lost_components;
+  result["quads"] = shape.quads;
+  result["quads_asked"] = shape.quads_asked > 0 ? Json(shape.quads_asked) : Json(nullptr);
+  return result;
+}
+
+Json json(const std::vector<Shape_warning>& warnings) {
+  Json result = Json::array();
+  for (const Shape_warning& w : warnings)
+    result.push_back(
+        {{"name", w.name}, {"measured", number(w.measured)}, {"limit", number(w.limit)}, {"text", w.text}});
+  return result;
 }
 
 std::string cell(double x) {
@@ -83,7 +121,9 @@ const char* mark(Check_status status) {
 } // namespace
 
 std::string to_json(const Certificate& certificate) {
-  Json result{{"passed", certificate.passed}, {"strictly_valid", certificate.strictly_valid}};
+  Json result{{"passed", certificate.passed},
+              {"strictly_valid", certificate.strictly_valid},
+              {"valid_as_input", certificate.valid_as_input}};
   Json& checks = result["checks"] = Json::array();
   for (const Certificate_check& check : certificate.checks) checks.push_back(json(check));
   result["vertices"] = certificate.vertices;
@@ -95,13 +135,9 @@ std::string to_json(const Certificate& certificate) {
   result["boundary_valences"] = json(certificate.boundary_valences);
   result["inverted_quads"] = certificate.inverted_quads;
   result["intersecting_quads"] = certificate.intersecting_quads;
-  if (const auto& distance = certificate.distance)
-    result["distance"] = {{"diagonal", number(distance->diagonal)},
-                          {"vertices", json(distance->vertices)},
-                          {"centres", json(distance->centres)},
-                          {"input_vertices", json(distance->input_vertices)}};
-  else
-    result["distance"] = nullptr;
+  result["input_intersections"] = certificate.input_intersections;
+  result["shape"] = certificate.shape ? json(*certificate.shape) : Json(nullptr);
+  result["warnings"] = json(certificate.warnings);
   return result.dump(2);
 }
 
@@ -117,8 +153,13 @@ std::string to_text(const Certificate& certificate) {
   }
   text += certificate.passed ? "passed" : "FAILED";
   if (certificate.passed)
-    text += certificate.strictly_valid ? ", strictly valid" : ", not shown to be strictly valid";
-  return text + "\n";
+    text += certificate.strictly_valid   ? ", strictly valid"
+            : certificate.valid_as_input ? ", strictly valid but where the input intersects itself"
+                                         : ", not shown to be strictly valid";
+  text += "\n";
+  if (certificate.shape) text += "kept: " + shape_summary(*certificate.shape) + "\n";
+  for (const Shape_warning& warning : certificate.warnings) text += "warning: " + warning.text + "\n";
+  return text;
 }
 
 } // namespace Reeb_quadrangulation

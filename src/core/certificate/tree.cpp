@@ -60,7 +60,7 @@ Triangle_tree::Triangle_tree(const std::vector<Point>& points, const std::vector
     m_nodes[node] = m_nodes[2 * node].merged(m_nodes[2 * node + 1]);
 }
 
-Triangle_tree::Box Triangle_tree::box(int triangle) const {
+Eigen::AlignedBox3d Triangle_tree::box(int triangle) const {
   const Triangle& t = m_triangles[triangle];
   Box result(m_points[t[0]]);
   return result.extend(m_points[t[1]]).extend(m_points[t[2]]);
@@ -71,14 +71,20 @@ double Triangle_tree::squared_distance(const Point& query, int triangle) const {
   const Point &a = m_points[t[0]], &b = m_points[t[1]], &c = m_points[t[2]];
   const Point normal = (b - a).cross(c - a);
   const double nn = normal.squaredNorm();
-  // Over the inside of the triangle its plane is the nearest; everywhere else one of the sides is.
-  if (nn > 0 && normal.dot((b - a).cross(query - a)) >= 0 && normal.dot((c - b).cross(query - b)) >= 0 &&
-      normal.dot((a - c).cross(query - c)) >= 0) {
+  const bool outside[3] = {normal.dot((b - a).cross(query - a)) < 0, normal.dot((c - b).cross(query - b)) < 0,
+                           normal.dot((a - c).cross(query - c)) < 0};
+  // Over the inside of the triangle its plane is the nearest; everywhere else a side that the query lies
+  // beyond.
+  const bool beyond = outside[0] || outside[1] || outside[2];
+  if (!beyond && nn > 0) {
     const double height = normal.dot(query - a);
     return height * height / nn;
   }
-  return std::min({squared_segment_distance(query, a, b), squared_segment_distance(query, b, c),
-                   squared_segment_distance(query, c, a)});
+  double least = std::numeric_limits<double>::infinity();
+  if (outside[0] || !beyond) least = squared_segment_distance(query, a, b);
+  if (outside[1] || !beyond) least = std::min(least, squared_segment_distance(query, b, c));
+  if (outside[2] || !beyond) least = std::min(least, squared_segment_distance(query, c, a));
+  return least;
 }
 
 Triangle_tree::Nearest Triangle_tree::nearest(const Point& query, int hint) const {

@@ -36,7 +36,7 @@ void append(Polygon_soup& all, const Polygon_soup& soup) {
 
 Certificate_options certificate_options(bool wholly, const Observer* observer) {
   Certificate_options options;
-  options.measure_distance = options.find_self_intersections = wholly;
+  options.measure_shape = options.find_self_intersections = wholly;
   options.observer = observer;
   return options;
 }

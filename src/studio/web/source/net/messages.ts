@@ -68,6 +68,18 @@ export interface Check {
   message: string;
 }
 
+export interface ShapeKept {
+  summary: string;
+  from_quads: { mean: number };
+  from_input: { mean: number };
+  bound: number;
+}
+
+export interface ShapeWarning {
+  name: string;
+  text: string;
+}
+
 export interface State {
   event: "state";
   revision: number;
@@ -80,7 +92,10 @@ export interface State {
   /** Whether the quads are relaxed already. */
   finished?: boolean;
   budget?: { needed: number; interior: Record<string, number>; boundary: Record<string, number> };
-  certificate?: { passed: boolean; strictly_valid: boolean; checks: Check[]; quads: number; vertices: number };
+  /** `shape` once it was measured: how much of the surface's shape the quads keep; `warnings` where that is too little. */
+  certificate?: {
+    passed: boolean; strictly_valid: boolean; checks: Check[]; quads: number; vertices: number; shape: ShapeKept | null; warnings: ShapeWarning[];
+  };
   statistics?: {
     quads: number;
     vertices: number;

@@ -28,15 +28,10 @@ export interface Facts {
     layout?: { minima: number; maxima: number; saddles: number; charts: unknown[]; reeb_loops: number };
     stages?: StageTime[];
   }[];
-  certificate: NonNullable<State["certificate"]> & { interior_valences: Record<string, number>; boundary_valences: Record<string, number>; distance: Distance | null; checks: Check[] };
+  certificate: NonNullable<State["certificate"]> & { interior_valences: Record<string, number>; boundary_valences: Record<string, number>; checks: Check[] };
   statistics: NonNullable<State["statistics"]> & { extraordinary_vertices: number; angle: Range; edge_length: Range; quad_area_ratio: number | null };
   stages?: StageTime[];
   edits?: { text: string; milliseconds: number }[];
-}
-
-export interface Distance {
-  vertices: { maximum: number; mean: number };
-  input_vertices: { maximum: number; mean: number };
 }
 
 /** What the parts that the report shares with the studio's page read. */

@@ -34,11 +34,18 @@ export function certificatePanel(facts: Facts): HTMLElement {
       h("div", {}, h("strong", {}, check.name.replaceAll("_", " ")), h("p", {}, check.message || meanings[check.name] || "")),
     );
   const verdict = certificate.strictly_valid ? "Valid, also in the strict sense." : certificate.passed ? "Valid, with the remarks below." : "Not valid.";
-  return h("div", {}, h("p", {}, verdict), h("ul", { className: "checks" }, ...certificate.checks.map(row)));
+  const warnings = certificate.warnings.map((w) =>
+    h(
+      "li", { className: "check failed", "data-warning": w.name }, h("span", { className: "mark" }, "!"),
+      h("div", {}, h("strong", {}, w.name.replaceAll("_", " ")), h("p", {}, w.text)),
+    ),
+  );
+  const kept = certificate.shape && h("p", { className: "kept" }, `Kept of the shape: ${certificate.shape.summary}.`);
+  return h("div", {}, h("p", {}, verdict), kept, h("ul", { className: "checks" }, ...warnings, ...certificate.checks.map(row)));
 }
 
 export function statisticsPanel(facts: Facts): HTMLElement {
-  const s = facts.statistics, distance = facts.certificate.distance;
+  const s = facts.statistics, shape = facts.certificate.shape;
   const range = (r: Range): string => `${readable(r.minimum)} … ${readable(r.mean)} … ${readable(r.maximum)}`;
   const rows: [string, string][] = [
     ["quads", readable(s.quads)], ["vertices", readable(s.vertices)], ["extraordinary vertices", readable(s.extraordinary_vertices)],
@@ -46,9 +53,9 @@ export function statisticsPanel(facts: Facts): HTMLElement {
     ["folded quads", readable(s.inverted_quads)],
   ];
   if (s.quad_area_ratio !== null) rows.push(["largest quad / smallest", readable(s.quad_area_ratio)]);
-  if (distance) {
-    const percent = (part: number): string => `${(100 * part).toPrecision(2)} %`;
-    rows.push(["distance, mean", `${percent(distance.input_vertices.mean)} of the diagonal`], ["distance, most", `${percent(Math.max(distance.vertices.maximum, distance.input_vertices.maximum))} of the diagonal`]);
+  if (shape) {
+    const percent = (part: number): string => `${(100 * part).toPrecision(2)} % of the diagonal`;
+    rows.push(["distance, mean", percent(Math.max(shape.from_quads.mean, shape.from_input.mean))], ["distance, most", percent(shape.bound)]);
   }
   return h("div", {}, table(rows), h("p", { className: "note" }, "Three numbers are the least, the mean and the greatest."));
 }

@@ -34,10 +34,11 @@ function light(state: State, certify: () => void): HTMLElement {
   const certificate = state.certificate!;
   const failed = certificate.checks.filter((c) => c.status === "failed");
   const waiting = certificate.checks.filter((c) => c.status === "not_checked");
-  const soft = certificate.passed && failed.length > 0;
+  const soft = certificate.passed && (failed.length > 0 || certificate.warnings.length > 0);
   const colour = !certificate.passed ? "red" : soft ? "amber" : "green";
   const text = !certificate.passed ? "not valid" : soft ? "valid, with remarks" : certificate.strictly_valid ? "certified" : "valid";
   const lines = [...failed.map((c) => `✗ ${c.name}: ${c.message}`), ...waiting.map((c) => `· ${c.name}: not checked yet`)];
+  if (certificate.shape) lines.push(`kept: ${certificate.shape.summary}`, ...certificate.warnings.map((w) => `! ${w.text}`));
   return h(
     "button",
     { className: "ghost certificate", "data-light": colour, title: [`Click for all checks, also the slow ones.`, ...lines].join("\n"), onclick: certify },

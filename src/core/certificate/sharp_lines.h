@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef REEBQUAD_CERTIFICATE_SHARP_LINES_H
+#define REEBQUAD_CERTIFICATE_SHARP_LINES_H
+
+#include "certificate/input_surface.h"
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+namespace certification {
+
+/// The edges of the input whose two faces meet at more than `angle` degrees, as pairs of vertices, ascending.
+/// Faces that run along the edge in the same direction are compared as if one of them were turned. O(n log
+/// d).
+std::vector<std::pair<int, int>> sharp_edges(const Input_surface& input, double angle);
+
+/// Those of the sharp edges whose line is `shortest` long or longer. A line goes on through vertices of two
+/// sharp edges.
+std::vector<std::pair<int, int>> long_lines(const std::vector<Point>& points,
+                                            const std::vector<std::pair<int, int>>& sharp, double shortest);
+
+/// The vertices where at least three lines of sharp edges end that are `shortest` long or longer, or two that
+/// turn by more than `angle` degrees; ascending.
+std::vector<int> corners(const std::vector<Point>& points, const std::vector<std::pair<int, int>>& sharp,
+                         double angle, double shortest);
+
+} // namespace certification
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
+
+#endif // REEBQUAD_CERTIFICATE_SHARP_LINES_H
