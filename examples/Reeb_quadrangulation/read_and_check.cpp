@@ -29,11 +29,13 @@ static std::string sample() {
 int main(int argc, char** argv) {
   const std::string path = argc > 1 ? argv[1] : "read_and_check.obj";
   if (argc < 2 && !write_file_atomically(path, sample())) return 1;
-  const Result<Polygon_soup> soup = read_polygon_soup(path);
+  std::vector<std::string> notes;
+  const Result<Polygon_soup> soup = read_polygon_soup(path, largest_mesh_file, &notes);
   if (!soup) {
     std::cerr << soup.error().message << '\n';
     return 3;
   }
+  for (const std::string& note : notes) std::cout << note << '\n';
   const Surface_check check = check_surface(*soup);
   std::cout << check.points << " points, " << check.faces << " faces, " << check.components.size()
             << " components\n";
@@ -41,7 +43,10 @@ int main(int argc, char** argv) {
     if (check.count(Defect_kind(k)) > 0)
       std::cout << "  " << name(Defect_kind(k)) << ": " << check.count(Defect_kind(k)) << '\n';
 
-  const Result<Mended_surface> mended = mend_surface(*soup);
+  // Rims that lie nearer to each other than this are welded; by default a millionth of the diagonal.
+  Mend_options options;
+  options.weld = 1e-6 * (check.highest - check.lowest).norm();
+  const Result<Mended_surface> mended = mend_surface(*soup, options);
   if (!mended) {
     std::cerr << mended.error().message << '\n';
     return 4;
@@ -51,5 +56,6 @@ int main(int argc, char** argv) {
     std::cout << "a surface of " << c.surface.number_of_vertices() << " vertices and "
               << c.surface.number_of_faces() << " triangles, Euler characteristic "
               << euler_characteristic(c.surface) << '\n';
+  for (const Error& error : mended->refused) std::cout << "refused: " << error.message << '\n';
   return 0;
 }

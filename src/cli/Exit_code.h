@@ -14,6 +14,7 @@ enum class Exit_code : int {
   unreadable_file = 3,
   not_a_surface = 4,
   certificate_failed = 5,
+  in_part = 6, ///< some components were left out; the rest is written
   interrupted = 130
 };
 

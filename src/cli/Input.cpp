@@ -3,6 +3,10 @@
 
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
 namespace reebquad {
 
 using namespace CGAL::Reeb_quadrangulation;
@@ -10,9 +14,45 @@ using namespace CGAL::Reeb_quadrangulation;
 namespace po = boost::program_options;
 
 void declare_mending(Command_line& line) {
-  line.options.add_options()("fill-holes", "fill small holes instead of keeping them as boundary loops")(
-      "hole-edges", po::value<int>()->value_name("N")->default_value(100), "what is small: at most N edges");
+  line.options.add_options()                                                       //
+      ("fill-holes", "fill small holes instead of keeping them as boundary loops") //
+      ("hole-edges", po::value<int>()->value_name("N")->default_value(100),
+       "what is small: at most N edges") //
+      ("weld", po::value<double>()->value_name("D"),
+       "weld rims that lie nearer than D to each other; 0: only equal points; default: a millionth of the "
+       "diagonal") //
+      ("drop-components-below", po::value<std::string>()->value_name("SIZE"),
+       "leave out small components: a length for the diagonal of their box (0.5), a part of the whole's "
+       "diagonal (2%) "
+       "or a number of triangles (20t)") //
+      ("refuse-non-manifold",
+       "refuse components with edges of more than two faces instead of cutting them there");
 }
+
+namespace {
+
+// "0.5", "2%" or "20t".
+void set_smallest(const std::string& text, Mend_options& options) {
+  const char unit = text.empty() ? ' ' : text.back();
+  const bool has_unit = unit == '%' || unit == 't';
+  double size = 0;
+  const char *first = text.data(), *last = text.data() + text.size() - (has_unit ? 1 : 0);
+  const std::from_chars_result parsed = std::from_chars(first, last, size);
+  if (parsed.ec != std::errc() || parsed.ptr != last || !std::isfinite(size) || !(size > 0) ||
+      (unit == '%' && size > 100) || (unit == 't' && (size != std::floor(size) || size > 1e9)))
+    throw Usage_error(
+        "--drop-components-below takes a length as 0.5, a part as 2% or a number of triangles as 20t; "
+        "it got '" +
+        text + "'");
+  if (unit == '%')
+    options.smallest_part = size / 100;
+  else if (unit == 't')
+    options.fewest_triangles = int(size);
+  else
+    options.smallest_diagonal = size;
+}
+
+} // namespace
 
 Mend_options mending(const Command_line& line) {
   Mend_options options;
@@ -22,6 +62,13 @@ Mend_options mending(const Command_line& line) {
     options.fill_holes = edges;
   else if (!line.values["hole-edges"].defaulted())
     throw Usage_error("--hole-edges has no meaning without --fill-holes");
+  if (line.has("weld")) {
+    options.weld = line.values["weld"].as<double>();
+    if (!(options.weld >= 0) || !std::isfinite(options.weld))
+      throw Usage_error("--weld takes a distance that is not negative");
+  }
+  if (line.has("drop-components-below")) set_smallest(line.text("drop-components-below"), options);
+  options.cut_non_manifold_edges = !line.has("refuse-non-manifold");
   return options;
 }
 
@@ -30,8 +77,15 @@ void require_writable_format(const std::string& file) {
     throw Usage_error(file + ": the extension is not one of obj, off, ply, vtk, stl, glb");
 }
 
-Polygon_soup read_soup(const std::string& file) {
-  return value_or_fail(read_polygon_soup(file), file);
+Polygon_soup read_soup(const std::string& file, std::vector<std::string>* notes) {
+  std::vector<std::string> passed_over;
+  Polygon_soup soup = value_or_fail(read_polygon_soup(file, largest_mesh_file, &passed_over), file);
+  for (const std::string& note : passed_over)
+    if (notes)
+      notes->push_back(note);
+    else
+      std::cerr << "reebquad: " << file << ": " << note << '\n';
+  return soup;
 }
 
 Quad_mesh quads_of(const Polygon_soup& soup, const std::string& file) {

@@ -8,18 +8,21 @@
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <string>
+#include <vector>
 
 namespace reebquad {
 
-/// Declares --fill-holes and --hole-edges.
+/// Declares --fill-holes, --hole-edges, --weld, --drop-components-below and --refuse-non-manifold.
 void declare_mending(Command_line& line);
 CGAL::Reeb_quadrangulation::Mend_options mending(const Command_line& line);
 
 /// Throws a usage error unless the extension of `file` names a format that we write.
 void require_writable_format(const std::string& file);
 
-/// Reads a mesh file; a `Failure` names file and line or byte.
-CGAL::Reeb_quadrangulation::Polygon_soup read_soup(const std::string& file);
+/// Reads a mesh file; a `Failure` names file and line or byte. What was passed over is appended to `notes`,
+/// or printed as warnings if there are none.
+CGAL::Reeb_quadrangulation::Polygon_soup read_soup(const std::string& file,
+                                                   std::vector<std::string>* notes = nullptr);
 
 /// The quads of a soup; a `Failure` names the first face that is not a quad.
 CGAL::Reeb_quadrangulation::Quad_mesh quads_of(const CGAL::Reeb_quadrangulation::Polygon_soup& soup,

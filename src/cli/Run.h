@@ -26,16 +26,19 @@ struct Component_run {
 struct Run {
   int input_points = 0;
   int input_faces = 0;
+  std::vector<std::string> notes; ///< what the reader passed over
   std::vector<CGAL::Reeb_quadrangulation::Mend> mends;
   std::vector<CGAL::Reeb_quadrangulation::Error> refused; ///< components that are not surfaces
   std::vector<Component_run> components;
   CGAL::Reeb_quadrangulation::Triangle_surface as_read; ///< the file, with what filled its holes
-  CGAL::Reeb_quadrangulation::Triangle_surface surface; ///< all components
-  CGAL::Reeb_quadrangulation::Quad_mesh quads;          ///< of all components
+  CGAL::Reeb_quadrangulation::Triangle_surface surface; ///< all components that were meshed
+  CGAL::Reeb_quadrangulation::Quad_mesh quads;          ///< of all of them
   std::optional<CGAL::Reeb_quadrangulation::Certificate> certificate;
   std::optional<CGAL::Reeb_quadrangulation::Mesh_statistics> statistics;
   std::vector<CGAL::Reeb_quadrangulation::Stage_time> stages; ///< outside the components' own
   Exit_code status = Exit_code::success;
+  /// Whether quads are written: of all components, or of some.
+  bool is_written() const { return status == Exit_code::success || status == Exit_code::in_part; }
 };
 
 /// The report, as doc/Reeb_quadrangulation/report_schema.md describes it.

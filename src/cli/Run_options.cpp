@@ -89,7 +89,9 @@ void declare(Command_line& line) {
       ("validate",
        "demand strict validity: also no inverted quad, and no self-intersection but the input's own") //
       ("strict", "warnings fail: write nothing and end with 5 where the shape is not kept")           //
-      ("timings", "print the seconds and the memory of every stage")                                  //
+      ("all-or-nothing",
+       "write nothing if a component cannot be meshed, instead of the others (exit code 6)") //
+      ("timings", "print the seconds and the memory of every stage")                         //
       ("quiet", "print errors only");
   declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
@@ -160,6 +162,11 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
                      {options.output, options.report, options.html, options.recipe},
                      options.pictures});
   options.mending = mending(line);
+  for (const char* option : {"weld", "drop-components-below", "refuse-non-manifold"})
+    if (!options.recipe.empty() && line.has(option))
+      throw Usage_error(std::string("a recipe does not keep --") + option +
+                        ": mend the mesh into a file first, or leave --write-recipe out");
+  options.all_or_nothing = line.has("all-or-nothing");
   options.timings = line.has("timings");
   options.quiet = line.has("quiet");
   options.validate = line.has("validate");

@@ -22,7 +22,8 @@ struct Run_options {
   std::string pictures; ///< a folder; empty: none are made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
-  int component = 0; ///< the only one to mesh, counted from 1; 0: all
+  int component = 0;           ///< the only one to mesh, counted from 1; 0: all
+  bool all_or_nothing = false; ///< write nothing unless every component is meshed
   bool timings = false;
   bool quiet = false;
   bool strict = false;   ///< warnings about the shape fail

@@ -21,6 +21,7 @@ namespace {
 constexpr int printed_per_kind = 5;
 
 struct Findings {
+  std::vector<std::string> notes; ///< of the reader
   Surface_check check;
   Mended_surface mended;
   Surface_intersections intersections;
@@ -31,10 +32,33 @@ bool accepted(const Findings& findings) {
   return findings.mended.refused.empty() && !findings.mended.components.empty();
 }
 
+/// What `reebquad run` would say of the surface.
+Exit_code outcome(const Findings& findings) {
+  if (findings.mended.components.empty()) return Exit_code::not_a_surface;
+  return findings.mended.refused.empty() ? Exit_code::success : Exit_code::in_part;
+}
+
+std::string verdict(const Findings& findings) {
+  switch (outcome(findings)) {
+  case Exit_code::success:
+    // Clean is only what is taken exactly as it is.
+    return findings.check.is_clean() && findings.mended.mends.empty() && findings.intersections.pairs.empty()
+               ? "a clean surface"
+               : "a surface that the method takes";
+  case Exit_code::in_part:
+    return "in part a surface that the method takes: " + std::to_string(findings.mended.components.size()) +
+           (findings.mended.components.size() == 1 ? " component is taken, " : " components are taken, ") +
+           std::to_string(findings.mended.refused.size()) + " refused";
+  default: return "not a surface that the method takes";
+  }
+}
+
 void print_json(const std::string& file, const Findings& findings) {
   nlohmann::ordered_json out;
   out["file"] = file;
   out["accepted"] = accepted(findings);
+  out["in_part"] = outcome(findings) == Exit_code::in_part;
+  out["notes"] = findings.notes;
   out["check"] = nlohmann::ordered_json::parse(to_json(findings.check));
   out["mends"] = nlohmann::ordered_json::array();
   for (const Mend& mend : findings.mended.mends)
@@ -82,15 +106,13 @@ void print_text(const std::string& file, const Findings& findings) {
   std::cout << file << ": " << check.points << " points, " << check.faces << " faces (" << check.triangles
             << " triangles), " << check.components.size()
             << (check.components.size() == 1 ? " component\n" : " components\n");
+  for (const std::string& note : findings.notes) std::cout << "  note: " << note << '\n';
   print_components(check);
   print_defects(check);
   for (const Mend& mend : findings.mended.mends) std::cout << "  mended: " << mend.text << '\n';
   print_intersections(findings.intersections);
   for (const Error& error : findings.mended.refused) std::cout << "  refused: " << error.message << '\n';
-  std::cout << (accepted(findings) ? check.is_clean() && findings.intersections.pairs.empty()
-                                         ? "a clean surface\n"
-                                         : "a surface that the method takes\n"
-                                   : "not a surface that the method takes\n");
+  std::cout << verdict(findings) << '\n';
 }
 
 } // namespace
@@ -104,11 +126,14 @@ Exit_code execute_check(const Arguments& arguments) {
   if (!line.parse(arguments)) return Exit_code::success;
   const std::string file = line.required("FILE");
 
-  const Polygon_soup soup = read_soup(file);
+  Findings findings;
+  const Polygon_soup soup = read_soup(file, &findings.notes);
+  const Mend_options mends = mending(line);
   Check_options options;
+  options.weld = mends.weld;
   if (line.has("all")) options.listed_per_kind = -1;
-  Findings findings{check_surface(soup, options), {}, {}};
-  Result<Mended_surface> mended = mend_surface(soup, mending(line));
+  findings.check = check_surface(soup, options);
+  Result<Mended_surface> mended = mend_surface(soup, mends);
   if (mended)
     findings.mended = std::move(*mended);
   else
@@ -119,7 +144,7 @@ Exit_code execute_check(const Arguments& arguments) {
     print_json(file, findings);
   else
     print_text(file, findings);
-  return accepted(findings) ? Exit_code::success : Exit_code::not_a_surface;
+  return outcome(findings);
 }
 
 } // namespace reebquad

@@ -94,7 +94,7 @@ void write_pictures(const Run& run, const Run_options& options) {
 
   Views views;
   for (const Component_run& component : run.components)
-    views.push_back(std::make_unique<const Layout_view>(component.result->editor));
+    if (component.result) views.push_back(std::make_unique<const Layout_view>(component.result->editor));
   const Joined_layout layout = joined_layout(views);
   Scene field = scalar_scene(layout.surface, layout.values);
   add_contours(field, views, 3);

@@ -158,7 +158,8 @@ std::string report_json(const Run& run, const Run_options& options) {
   out["version"] = REEBQUAD_VERSION;
   out["status"] = static_cast<int>(run.status);
   out["input"] = {{"file", options.input}, {"points", run.input_points}, {"faces", run.input_faces}};
-  out["output"] = run.status == Exit_code::success ? Json(options.output) : Json(nullptr);
+  out["output"] = run.is_written() ? Json(options.output) : Json(nullptr);
+  out["notes"] = run.notes;
   out["mends"] = Json::array();
   for (const Mend& mend : run.mends) out["mends"].push_back({{"count", mend.count}, {"text", mend.text}});
   out["refused"] = Json::array();

@@ -26,6 +26,24 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
+/// Names the component in the progress of its stages, where there are several.
+class Component_observer : public Observer {
+public:
+  Component_observer(Terminal_observer& terminal, std::size_t component, std::size_t components)
+      : m_terminal(terminal) {
+    if (components > 1)
+      m_prefix = "component " + std::to_string(component + 1) + " of " + std::to_string(components) + ": ";
+  }
+  void progress(const std::string& stage, double fraction) override {
+    m_terminal.progress(m_prefix + stage, fraction);
+  }
+  bool cancelled() const override { return m_terminal.cancelled(); }
+
+private:
+  Terminal_observer& m_terminal;
+  std::string m_prefix;
+};
+
 class Runner {
 public:
   explicit Runner(const Run_options& options)
@@ -33,13 +51,14 @@ public:
 
   Exit_code execute() {
     begin("reading");
-    const Polygon_soup soup = read_soup(m_options.input);
+    const Polygon_soup soup = read_soup(m_options.input, &m_run.notes);
     end();
     m_run.input_points = soup.number_of_points();
     m_run.input_faces = soup.number_of_polygons();
     mend(soup);
-    if (m_run.status == Exit_code::success) mesh_components();
-    if (m_run.status == Exit_code::success) certify_all();
+    mesh_components();
+    decide_status();
+    if (m_run.is_written()) certify_all();
     write_outputs();
     return m_run.status;
   }
@@ -56,13 +75,11 @@ private:
     return {"reading", "mending", "certificate", "statistics", "pictures", "HTML report", "writing"};
   }
 
-  /// Says what is wrong; the first such error becomes the status.
-  void report_error(const Error& error) {
+  /// A component is left out.
+  void note_failure(const Error& error) {
     if (error.code == Error_code::cancelled)
       throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
-    m_observer.clear();
-    std::cerr << "reebquad: " << sentence(m_options.input, error) << '\n';
-    if (m_run.status == Exit_code::success) m_run.status = exit_code(error.code);
+    if (m_failure == Exit_code::success) m_failure = exit_code(error.code);
   }
 
   void mend(const Polygon_soup& soup) {
@@ -73,18 +90,20 @@ private:
       m_run.refused.push_back(mended.error());
     } else {
       take_component(*mended);
-      m_run.surface = joined(*mended);
-      m_run.as_read = surface_as_read(soup, *mended);
+      // Of a file of which one component is asked for, the others are not missed.
+      m_run.as_read = m_options.component > 0 ? joined(*mended) : surface_as_read(soup, *mended);
       m_run.mends = std::move(mended->mends);
       m_run.refused = std::move(mended->refused);
       for (Mended_component& component : mended->components)
         m_run.components.push_back({std::move(component.surface), std::nullopt, {}});
     }
-    for (const Error& error : m_run.refused) report_error(error);
+    for (const Error& error : m_run.refused) note_failure(error);
     m_observer.clear();
-    if (!m_options.quiet)
-      for (const Mend& change : m_run.mends)
-        std::cerr << "reebquad: " << m_options.input << ": " << change.text << '\n';
+    if (m_options.quiet) return;
+    for (const std::string& note : m_run.notes)
+      std::cerr << "reebquad: " << m_options.input << ": " << note << '\n';
+    for (const Mend& change : m_run.mends)
+      std::cerr << "reebquad: " << m_options.input << ": " << change.text << '\n';
   }
 
   /// Leaves only the component that is asked for, if one is.
@@ -99,6 +118,7 @@ private:
       Mended_component only = std::move(mended.components[std::size_t(m_options.component - 1)]);
       mended.components.clear();
       mended.components.push_back(std::move(only));
+      mended.refused.clear(); // nobody asked for them
     } else if (number > 1 && !m_options.recipe.empty()) {
       throw Failure(Exit_code::usage, m_options.input +
                                           ": --write-recipe is for one component, this file has " +
@@ -149,24 +169,70 @@ private:
   }
 
   void mesh_components() {
+    if (m_options.all_or_nothing && m_failure != Exit_code::success) return;
     const std::vector<Quadrangulation_options> options = options_of_components();
     for (std::size_t c = 0; c < m_run.components.size(); ++c) {
       Component_run& component = m_run.components[c];
-      Result<Quadrangulation> result = quadrangulate(component.surface, options[c], &m_observer);
+      Component_observer observer(m_observer, c, m_run.components.size());
+      Result<Quadrangulation> result = quadrangulate(component.surface, options[c], &observer);
       if (!result) {
         component.error = result.error();
         if (m_run.components.size() > 1)
           component.error.message = "component " + std::to_string(c) + ": " + component.error.message;
-        report_error(component.error);
+        note_failure(component.error);
         continue;
       }
       component.result = std::move(*result);
-      append(component.result->mesh);
+      append(component.surface, component.result->mesh);
     }
+    warn_of_specks(options);
   }
 
-  void append(const Quad_mesh& mesh) {
-    const int first = int(m_run.quads.points.size());
+  /// Every component has a least number of quads, whatever share of the quads it should get.
+  void warn_of_specks(const std::vector<Quadrangulation_options>& options) {
+    const int asked = m_options.pipeline.quads;
+    const std::size_t quads = m_run.quads.quads.size();
+    if (m_options.pipeline.edge_length > 0 || double(quads) < 1.25 * asked) return;
+    std::size_t specks = 0, least = quads;
+    for (std::size_t c = 0; c < m_run.components.size(); ++c) {
+      const Component_run& component = m_run.components[c];
+      if (!component.result || component.result->mesh.quads.size() < 2 * std::size_t(options[c].quads))
+        continue;
+      ++specks;
+      least = std::min(least, component.result->mesh.quads.size());
+    }
+    if (specks == 0 || m_run.components.size() == 1 || m_options.quiet) return;
+    m_observer.clear();
+    std::cerr << "reebquad: " << m_options.input << ": warning: " << quads << " quads, " << asked
+              << " asked: " << specks << (specks == 1 ? " component needs" : " components need")
+              << " at least " << least << (specks == 1 ? "" : " each")
+              << "; --drop-components-below leaves small ones out\n";
+  }
+
+  /// In part, if some components are left out and that is allowed; a failure, if nothing is left.
+  void decide_status() {
+    std::size_t meshed = 0;
+    for (const Component_run& component : m_run.components) meshed += component.result.has_value();
+    if (m_failure == Exit_code::success) return;
+    m_run.status = meshed == 0 || m_options.all_or_nothing ? m_failure : Exit_code::in_part;
+    m_observer.clear();
+    if (m_run.status == Exit_code::in_part) return;
+    for (const Error& error : left_out())
+      std::cerr << "reebquad: " << sentence(m_options.input, error) << '\n';
+  }
+
+  std::vector<Error> left_out() const {
+    std::vector<Error> errors = m_run.refused;
+    for (const Component_run& component : m_run.components)
+      if (!component.error.message.empty()) errors.push_back(component.error);
+    return errors;
+  }
+
+  void append(const Triangle_surface& surface, const Quad_mesh& mesh) {
+    const int first = int(m_run.quads.points.size()), corner = int(m_run.surface.points.size());
+    m_run.surface.points.insert(m_run.surface.points.end(), surface.points.begin(), surface.points.end());
+    for (const Triangle& t : surface.triangles)
+      m_run.surface.triangles.push_back({t[0] + corner, t[1] + corner, t[2] + corner});
     m_run.quads.points.insert(m_run.quads.points.end(), mesh.points.begin(), mesh.points.end());
     for (const Quad& q : mesh.quads)
       m_run.quads.quads.push_back({q[0] + first, q[1] + first, q[2] + first, q[3] + first});
@@ -175,7 +241,8 @@ private:
   void certify_all() {
     std::map<int, int> predicted;
     for (const Component_run& component : m_run.components)
-      for (const auto& [valence, number] : component.result->valences) predicted[valence] += number;
+      if (component.result)
+        for (const auto& [valence, number] : component.result->valences) predicted[valence] += number;
     Certificate_options options;
     options.observer = &m_observer;
     begin("certificate");
@@ -196,20 +263,20 @@ private:
 
   void write_outputs() {
     if (m_run.certificate) {
-      if (m_run.status == Exit_code::success && !m_options.pictures.empty()) {
+      if (m_run.is_written() && !m_options.pictures.empty()) {
         begin("pictures");
         write_pictures(m_run, m_options);
         end();
       }
-      if (m_run.status == Exit_code::success && !m_options.html.empty()) {
+      if (m_run.is_written() && !m_options.html.empty()) {
         begin("HTML report");
         const std::string html = report_html(m_run, m_options);
         const Uninterruptible whole;
         succeed_or_fail(write_file_atomically(m_options.html, html), m_options.html);
         end();
       }
-      if (m_run.status == Exit_code::success && !m_options.recipe.empty()) write_recipe();
-      if (m_run.status == Exit_code::success) write_quads();
+      if (m_run.is_written() && !m_options.recipe.empty()) write_recipe();
+      if (m_run.is_written()) write_quads();
     }
     m_observer.clear();
     m_run.stages = m_recorder.finish();
@@ -235,14 +302,17 @@ private:
 
   void print_outcome() const {
     if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
-    if (m_run.status == Exit_code::success) {
+    if (m_run.is_written()) {
       const std::size_t warnings = m_run.certificate->warnings.size();
       if (!m_options.quiet)
-        std::cout << "\ncertified: " << m_options.output
+        std::cout << "
+            certified : " << m_options.output
                   << (warnings == 0   ? ""
                       : warnings == 1 ? ", with a warning"
                                       : ", with warnings")
-                  << '\n';
+                  << '
+'; std::cout.flush();
+      if (m_run.status == Exit_code::in_part) list_what_is_left_out();
       return;
     }
     std::cout.flush();
@@ -261,6 +331,16 @@ private:
     if (!m_run.certificate->warnings.empty())
       std::cerr << "reebquad: " << m_options.input
                 << ": the shape is not kept: " << m_run.certificate->warnings.front().text << '\n';
+  }
+
+  void list_what_is_left_out() const {
+    const std::vector<Error> errors = left_out();
+    const std::size_t meshed = m_run.refused.size() + m_run.components.size() - errors.size();
+    std::cerr << "reebquad: " << m_options.input << ": in part: " << meshed
+              << (meshed == 1 ? " component is" : " components are") << " written, " << errors.size()
+              << (errors.size() == 1 ? " is" : " are")
+              << " left out (--all-or-nothing writes nothing then):\n";
+    for (const Error& error : errors) std::cerr << "  " << error.message << '\n';
   }
 
   static void print_timings(const std::vector<Stage_time>& stages, std::size_t first, std::size_t last) {
@@ -282,7 +362,8 @@ private:
 
   const Run_options& m_options;
   Run m_run;
-  int m_component = 0; // the one that is meshed, of several
+  int m_component = 0;                      ///< the one that is meshed, of several
+  Exit_code m_failure = Exit_code::success; ///< of the first component that was refused or failed
   Terminal_observer m_observer;
   CGAL::Reeb_quadrangulation::internal::Stage_recorder m_recorder;
 };

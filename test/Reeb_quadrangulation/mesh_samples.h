@@ -48,6 +48,67 @@ template <class T> void put(std::string& out, T value, bool big_endian = false) 
     out += char(bytes[machine_is_big == big_endian ? i : sizeof(T) - 1 - i]);
 }
 
+/// A binary glTF file: its header, a chunk of JSON and a chunk of bytes.
+inline std::string binary_gltf(std::string json, std::string bytes) {
+  json.append((4 - json.size() % 4) % 4, ' ');
+  bytes.append((4 - bytes.size() % 4) % 4, '\0');
+  std::string out = "glTF";
+  put(out, std::uint32_t(2));
+  put(out, std::uint32_t(28 + json.size() + bytes.size()));
+  put(out, std::uint32_t(json.size()));
+  out += "JSON" + json;
+  put(out, std::uint32_t(bytes.size()));
+  return out + std::string("BIN\0", 4) + bytes;
+}
+
+/// The tetrahedron as glTF that exporters write: two nodes under a turned and moved one place the same mesh, one of them
+/// mirrored; one primitive of shorts with stride, one strip without indices.
+inline std::string rich_gltf() {
+  const Polygon_soup s = tetrahedron();
+  std::string bytes;
+  for (const Point& p : s.points) { // position and a normal, interleaved
+    for (int k = 0; k < 3; ++k) put(bytes, float(p[k]));
+    for (int k = 0; k < 3; ++k) put(bytes, float(0));
+  }
+  for (int v : s.corner) put(bytes, std::uint16_t(v));
+  for (const Point& p : {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0)})
+    for (int k = 0; k < 3; ++k) put(bytes, float(p[k]));
+  return binary_gltf(
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+      R"("nodes":[{"translation":[10,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476],"children":[1,2]},)"
+      R"({"mesh":0,"scale":[2,2,2]},{"mesh":0,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,1]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":3},"indices":1,"material":0},)"
+      R"({"attributes":{"POSITION":2},"mode":5},{"attributes":{"POSITION":2},"mode":1}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+      R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"},)"
+      R"({"bufferView":2,"componentType":5126,"count":4,"type":"VEC3"},)"
+      R"({"bufferView":0,"byteOffset":12,"componentType":5126,"count":4,"type":"VEC3"}],)"
+      R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":96,"byteStride":24},)"
+      R"({"buffer":0,"byteOffset":96,"byteLength":24},{"buffer":0,"byteOffset":120,"byteLength":48}],)"
+      R"("buffers":[{"byteLength":168}],"materials":[{"name":"glass"}]})",
+      bytes);
+}
+
+/// The tetrahedron as COLLADA.
+inline std::string collada_tetrahedron() {
+  std::string points, corners;
+  const Polygon_soup s = tetrahedron();
+  for (const Point& p : s.points)
+    for (int k = 0; k < 3; ++k) points += std::to_string(p[k]) + ' ';
+  for (int v : s.corner) corners += std::to_string(v) + ' ';
+  return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">)"
+         R"(<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="12">)" +
+         points +
+         R"(</float_array><technique_common><accessor source="#a" count="4" stride="3"><param name="X" type="float"/>)"
+         R"(<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>)"
+         R"(<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>)"
+         R"(<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>)" +
+         corners +
+         R"(</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id="s">)"
+         R"(<node id="n"><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>)"
+         R"(<scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
 /// A binary PLY with what other programs add: an unknown element in front, a colour and a list at the points, a
 /// quality at the faces; coordinates are doubles, indices unsigned shorts.
 inline std::string rich_binary_ply(const Polygon_soup& s, bool big) {
@@ -131,7 +192,8 @@ inline std::vector<std::string> good_files() {
           triangle_stl,
           rich_binary_ply(cube(), false),
           rich_binary_ply(cube(), true),
-          binary_stl(tetrahedron())};
+          binary_stl(tetrahedron()),
+          rich_gltf()};
 }
 
 } // namespace samples

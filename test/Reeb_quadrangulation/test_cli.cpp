@@ -69,6 +69,10 @@ TEST_CASE("usage errors return 2 and say what was wrong") {
       {{"run", cube, "-o", folder.path("q.obj"), "--persistence", "2"}, "--persistence lies between"},
       {{"run", cube, "-o", folder.path("q.obj"), "--field", "magnetic"}, "cotangent, clamped"},
       {{"run", cube, "-o", folder.path("q.obj"), "--hole-edges", "5"}, "without --fill-holes"},
+      {{"run", cube, "-o", folder.path("q.obj"), "--weld", "-1"}, "--weld takes a distance"},
+      {{"check", cube, "--drop-components-below", "5x"}, "it got '5x'"},
+      {{"check", cube, "--drop-components-below", "120%"}, "it got '120%'"},
+      {{"check", cube, "--drop-components-below", "-1"}, "it got '-1'"},
       {{"shape", "teapot", "-o", folder.path("t.obj")}, "no shape 'teapot'"},
       {{"shape", "torus", "-o", folder.path("t.xyz")}, "extension"},
   };
@@ -147,10 +151,12 @@ TEST_CASE("what is not a surface returns 4") {
   const Temporary_folder folder;
   const std::string nan = "OFF\n4 4 0\nnan 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   const std::string book = "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n";
+  const std::string tiny =
+      "OFF\n4 4 0\n0 0 0\n1e-160 0 0\n0 1e-160 0\n0 0 1e-160\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   const std::vector<std::string> files = {
       folder.write("moebius.off", band(12, true)),
       folder.write("nan.off", nan),
-      folder.write("book.off", book),
+      folder.write("tiny.off", tiny),
       folder.write("points.off", "OFF\n1 0 0\n0 0 0\n"),
   };
   for (const std::string& file : files) {
@@ -165,6 +171,11 @@ TEST_CASE("what is not a surface returns 4") {
     CHECK_FALSE(std::filesystem::exists(folder.path("quads.obj")));
   }
   CHECK(reebquad({"check", folder.write("band.off", band(12, false))}).code == 0);
+  const std::string three_sheets = folder.write("book.off", book);
+  CHECK(reebquad({"check", three_sheets}).code == 0);
+  const Outcome refused = reebquad({"check", three_sheets, "--refuse-non-manifold"});
+  CHECK(refused.code == 4);
+  CHECK(contains(refused.out, "has 3 faces; let it be cut there"));
 }
 
 TEST_CASE("stats certifies quads of any origin: 0 if they are a surface, 5 if not, 4 if they are not quads") {

@@ -239,6 +239,77 @@ TEST_CASE("two components are meshed one by one") {
   CHECK(std::abs(report["statistics"]["quads"].get<int>() - 1000) <= 50);
 }
 
+TEST_CASE("good components are meshed where another is refused, unless it is to be all or nothing") {
+  const Temporary_folder folder;
+  std::string torus = transformed(contents(Shape("torus", 1000).file), {1, 1, 1}, 0);
+  int points = 0;
+  for (std::size_t at = torus.find("v "); at != std::string::npos; at = torus.find("v ", at + 1)) ++points;
+  for (int i = 0; i < 12; ++i) // a Moebius band
+    for (const double side : {-0.3, 0.3}) {
+      const double a = 2 * std::acos(-1.0) * i / 12, r = 1 + side * std::cos(a / 2);
+      torus += "v " + std::to_string(9 + r * std::cos(a)) + ' ' + std::to_string(r * std::sin(a)) + ' ' +
+               std::to_string(side * std::sin(a / 2)) + '\n';
+    }
+  for (int i = 0; i < 12; ++i) {
+    const int a = points + 2 * i + 1, b = a + 1, c = i < 11 ? a + 2 : points + 2,
+              d = i < 11 ? a + 3 : points + 1;
+    for (const auto& t : {std::array<int, 3>{a, c, d}, {a, d, b}})
+      torus += "f " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) + '\n';
+  }
+  const std::string input = folder.write("both.obj", torus), quads = folder.path("quads.obj"),
+                    report_file = folder.path("report.json");
+  std::vector<std::string> run{"run", input, "-o", quads, "--quads", "400", "--report", report_file};
+  const Outcome part = reebquad(run);
+  INFO(part.err);
+  CHECK(part.code == 6);
+  CHECK(contains(part.err, "in part: 1 component is written, 1 is left out"));
+  CHECK(contains(part.err, "only one side"));
+  CHECK(contains(part.err, "cut it open across"));
+  const Json report = Json::parse(contents(report_file));
+  CHECK(report["status"] == 6);
+  CHECK(report["output"] == quads);
+  CHECK(report["refused"].size() == 1);
+  CHECK(report["components"].size() == 1);
+  CHECK(reebquad({"stats", quads}).code == 0);
+  const Outcome checked = reebquad({"check", input});
+  CHECK(checked.code == 6);
+  CHECK(contains(checked.out, "in part a surface"));
+  std::filesystem::remove(quads);
+  run.push_back("--all-or-nothing");
+  const Outcome nothing = reebquad(run);
+  CHECK(nothing.code == 4);
+  CHECK(contains(nothing.err, "only one side"));
+  CHECK_FALSE(std::filesystem::exists(quads));
+}
+
+TEST_CASE("specks that eat the count are told, and can be left out") {
+  const Temporary_folder folder;
+  std::string ball = transformed(contents(Shape("sphere", 300).file), {1, 1, 1}, 0);
+  int points = 0;
+  for (std::size_t at = ball.find("v "); at != std::string::npos; at = ball.find("v ", at + 1)) ++points;
+  for (int i = 0; i < 20; ++i) { // tetrahedra
+    const double x = 2 + 0.1 * i;
+    for (const auto& d : {std::array<double, 3>{0, 0, 0}, {0.02, 0, 0}, {0, 0.02, 0}, {0, 0, 0.02}})
+      ball +=
+          "v " + std::to_string(x + d[0]) + ' ' + std::to_string(d[1]) + ' ' + std::to_string(d[2]) + '\n';
+    const int a = points + 4 * i + 1;
+    for (const auto& t : {std::array<int, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})
+      ball += "f " + std::to_string(a + t[0]) + ' ' + std::to_string(a + t[1]) + ' ' +
+              std::to_string(a + t[2]) + '\n';
+  }
+  const std::string input = folder.write("dust.obj", ball), quads = folder.path("quads.obj");
+  const Outcome all = reebquad({"run", input, "-o", quads, "--quads", "200"});
+  INFO(all.err);
+  CHECK(all.code == 0);
+  CHECK(contains(all.err, "warning: "));
+  CHECK(contains(all.err, "200 asked: 20 components need at least"));
+  const Outcome clean =
+      reebquad({"run", input, "-o", quads, "--quads", "200", "--drop-components-below", "5%"});
+  CHECK(clean.code == 0);
+  CHECK(contains(clean.err, "20 small components were dropped (80 faces)"));
+  CHECK_FALSE(contains(clean.err, "asked:"));
+}
+
 TEST_CASE("a failed run writes nothing under the asked name and keeps what is there") {
   const Shape torus("torus", 1000);
   const std::string kept = torus.folder.write("quads.obj", "kept");

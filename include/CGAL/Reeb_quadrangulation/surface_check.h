@@ -23,9 +23,12 @@ enum class Defect_kind {
   degenerate_face,          ///< no area: fewer than three corners, a corner twice, or all corners on a line
   duplicate_face,           ///< the same corners as an earlier face, in any order
   unreferenced_point,       ///< no face uses the point
-  duplicate_point           ///< the same coordinates as an earlier point
+  duplicate_point,          ///< the same coordinates as an earlier point
+  near_point,               ///< a border point a hair from another; joining them closes an edge
+  t_junction,               ///< a border point on the inside of an edge that has one face
+  extreme_coordinate        ///< too large to compute with, or the whole mesh is too small
 };
-constexpr int number_of_defect_kinds = 10;
+constexpr int number_of_defect_kinds = 13;
 
 /// The name of a kind as it stands in reports: "non_manifold_edge", ...
 const char* name(Defect_kind kind);
@@ -58,6 +61,7 @@ struct Component_check {
 
 struct Check_options {
   int listed_per_kind = 100; ///< defects listed of each kind; all are counted. Negative: list all.
+  double weld = -1;          ///< what is a hair, as in `Mend_options`
 };
 
 /// All findings about a soup; see `check_surface()`.
@@ -89,11 +93,27 @@ struct Mend {
   std::string text; ///< a sentence for people, with the count
 };
 
+/// Coordinates larger than this, and meshes whose diagonal is smaller than its inverse, are refused:
+/// products of four lengths must neither overflow nor vanish.
+constexpr double largest_coordinate = 1e70;
+
 struct Mend_options {
-  int fill_holes = 0;                  ///< fill boundary loops of at most that many edges
-  bool orient_outward = true;          ///< turn closed components whose signed volume is negative
-  bool cut_non_manifold_edges = false; ///< cut the surface open along edges with more than two faces, instead
-                                       ///< of refusing the component
+  /// Fill boundary loops of at most that many edges.
+  int fill_holes = 0;
+  /// Turn closed components outward, and those inside an odd number of others inward.
+  bool orient_outward = true;
+  /// Border points nearer than this are welded where that closes an edge and gives none more than two
+  /// faces; it is also how far a point may lie off an edge to be a T-junction. Negative: a millionth of the
+  /// diagonal. 0: only equal points.
+  double weld = -1;
+  /// Cut edges with more than two faces: solids that touch come apart, and so do sheets; otherwise they
+  /// refuse their component.
+  bool cut_non_manifold_edges = true;
+  /// Components are dropped if the diagonal of their box is smaller than this length, than this part of the
+  /// diagonal of all, or if they have fewer triangles.
+  double smallest_diagonal = 0;
+  double smallest_part = 0;
+  int fewest_triangles = 0;
 };
 
 /// A component ready for the method. `surface` is connected, manifold and oriented.
@@ -111,17 +131,19 @@ struct Mended_surface {
 
 /// Makes oriented manifold triangle surfaces of a soup by what is safe, and says what it did.
 ///
-/// In this order: polygons are triangulated (a quad by the better diagonal, others by least area); faces with
-/// a repeated corner are dropped; points with equal coordinates are merged where they lie on the border of
-/// the faces, not where that would put more than two faces on an edge of a surface that had none; of
-/// duplicate faces one is kept, or none if they are a sheet inside a surface; edges with more than two faces
-/// refuse their component (or cut it); points whose faces are several fans are split; neighbours are turned
-/// alike, and closed components outward; faces without area are removed by collapsing edges without length
-/// and flipping the long edge of a cap, so that no hole opens, and kept where that is impossible; small holes
-/// are filled if asked; points without faces are dropped.
+/// In this order: polygons are triangulated (a quad by the better diagonal, others by least area, a polygon
+/// that lies on another one as that); faces with a repeated corner are dropped; border points that are
+/// equal are merged and those a hair apart welded; faces are divided at T-junctions; of faces that lie on
+/// each other one is kept, or none if they are a wall inside a surface; faces without area that hang on
+/// others are dropped; edges with more than two faces are cut by the angles at which their faces stand (or
+/// refuse their component); points whose faces are several fans are split; neighbours are turned alike;
+/// faces without area are removed by collapsing edges without length and flipping the long edge of a cap,
+/// so that no hole opens, and kept where that is impossible; small holes are filled if asked; components
+/// that are too small are dropped if asked; closed components are turned outward, or inward where they lie
+/// inside an odd number of others; points without faces are dropped.
 ///
 /// Fails with `not_a_surface` if nothing is left: no faces, or every component was refused (the first reason
-/// is given). Nearly linear in the size of the soup; deterministic.
+/// is given; it ends with what to do). Nearly linear in the size of the soup; deterministic.
 Result<Mended_surface> mend_surface(const Polygon_soup& soup, const Mend_options& options = {});
 
 } // namespace Reeb_quadrangulation

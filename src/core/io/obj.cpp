@@ -4,6 +4,10 @@
 #include "io/readers.h"
 #include "io/text_cursor.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
@@ -11,7 +15,8 @@ namespace {
 
 class Obj_parser {
 public:
-  Obj_parser(const char* data, std::size_t size) : m_cursor(data, data + size, '#') {}
+  Obj_parser(const char* data, std::size_t size, Notes& notes)
+      : m_cursor(data, data + size, '#'), m_notes(notes) {}
 
   Result<Polygon_soup> parse() {
     while (m_cursor.find_word()) {
@@ -29,6 +34,13 @@ public:
     for (std::size_t i = 0; i < m_forward.size(); ++i)
       if (m_forward[i].index >= m_soup.number_of_points())
         return out_of_range(m_forward[i].index + 1, m_forward[i].line);
+    const bool missing = m_largest[0] > m_attributes[0] || m_largest[1] > m_attributes[1];
+    if (missing && m_bad_attributes == 0)
+      m_notes.push_back("faces name texture coordinates or normals that do not exist; they are not used");
+    if (m_bad_attributes > 0)
+      m_notes.push_back("the texture coordinates or normals of " + std::to_string(m_bad_attributes) +
+                        " corners are no indices, first in line " + std::to_string(m_bad_line) +
+                        "; they are not used");
     if (m_soup.points.empty()) return line_error("OBJ", m_cursor.line(), "the file holds no points");
     return std::move(m_soup);
   }
@@ -88,7 +100,12 @@ private:
       const char* const first = ++at.ptr;
       if (first == end || *first == '/' || *first == '\\') continue;
       at = std::from_chars(first, end, skipped);
-      good = at.ec == std::errc() && skipped != 0;
+      // Out of range, or 0: the surface does not depend on it.
+      good = at.ec == std::errc() || at.ec == std::errc::result_out_of_range;
+      if (at.ec != std::errc() || skipped == 0 || std::abs(skipped) > largest_count)
+        note_bad_attribute();
+      else
+        m_largest[part - 1] = std::max(m_largest[part - 1], std::abs(skipped));
     }
     if (!good) return expected("the index of a point");
     const std::int64_t count = m_soup.number_of_points();
@@ -104,7 +121,13 @@ private:
     return {};
   }
 
+  void note_bad_attribute() {
+    if (m_bad_attributes++ == 0) m_bad_line = m_cursor.line();
+  }
+
   Result<void> other(std::string_view keyword) {
+    if (keyword == "vt") ++m_attributes[0];
+    if (keyword == "vn") ++m_attributes[1];
     for (char c : keyword)
       if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'))
         return expected("a statement");
@@ -120,14 +143,18 @@ private:
   }
 
   Text_cursor m_cursor;
+  Notes& m_notes;
+  std::int64_t m_bad_attributes = 0, m_bad_line = 0;
+  /// Of texture coordinates and normals: how many there are, and the largest index of one.
+  std::array<std::int64_t, 2> m_attributes{}, m_largest{};
   std::vector<Forward_reference> m_forward;
   Polygon_soup m_soup;
 };
 
 } // namespace
 
-Result<Polygon_soup> parse_obj(const char* data, std::size_t size) {
-  return Obj_parser(data, size).parse();
+Result<Polygon_soup> parse_obj(const char* data, std::size_t size, Notes& notes) {
+  return Obj_parser(data, size, notes).parse();
 }
 
 } // namespace Reeb_quadrangulation

@@ -10,14 +10,17 @@ namespace {
 
 class Off_parser {
 public:
-  Off_parser(const char* data, std::size_t size) : m_cursor(data, data + size, '#') {}
+  Off_parser(const char* data, std::size_t size, Notes& notes)
+      : m_cursor(data, data + size, '#'), m_notes(notes) {}
 
   Result<Polygon_soup> parse() {
     for (auto step : {&Off_parser::header, &Off_parser::counts, &Off_parser::points, &Off_parser::faces})
       if (Result<void> done = (this->*step)(); !done) return done.error();
+    // Edges, comments without their sign, or a second mesh that some programs append.
     if (m_cursor.find_word())
-      return fail("the header announces " + std::to_string(m_faces) + " faces, but the file goes on with " +
-                  quoted_word(m_cursor));
+      m_notes.push_back("what follows the " + std::to_string(m_faces) +
+                        " faces that the header announces was passed over, from line " +
+                        std::to_string(m_cursor.line()) + " on: " + quoted_word(m_cursor));
     return std::move(m_soup);
   }
 
@@ -126,6 +129,7 @@ private:
   }
 
   Text_cursor m_cursor;
+  Notes& m_notes;
   bool m_has_extras = false;
   std::int64_t m_points = 0, m_faces = 0;
   Polygon_soup m_soup;
@@ -133,8 +137,8 @@ private:
 
 } // namespace
 
-Result<Polygon_soup> parse_off(const char* data, std::size_t size) {
-  return Off_parser(data, size).parse();
+Result<Polygon_soup> parse_off(const char* data, std::size_t size, Notes& notes) {
+  return Off_parser(data, size, notes).parse();
 }
 
 } // namespace Reeb_quadrangulation

@@ -30,8 +30,10 @@ const char* foreign_content(std::string_view text) {
                         "7zXZ"))
     return "compressed with xz; decompress it first";
   if (begins_with(text, "\x28\xb5\x2f\xfd")) return "compressed with zstd; decompress it first";
-  if (begins_with(text, "PK\x03\x04")) return "a zip archive (also 3MF is one); extract a mesh first";
-  if (begins_with(text, "glTF")) return "binary glTF, which is written but not read";
+  if (begins_with(text, "PK\x03\x04"))
+    return "a zip archive; extract a mesh first (3MF, which is one, is read if the program is built with "
+           "Assimp and "
+           "the name ends with .3mf)";
   if (begins_with(text, "# vtk DataFile")) return "VTK legacy, which is written but not read";
   if (begins_with(text, "<?xml") || begins_with(text, "<VTKFile")) return "XML, which is not read";
   if (begins_with(text, "MeshVersionFormatted") || begins_with(text, "$MeshFormat"))
@@ -56,10 +58,12 @@ bool is_obj_keyword(std::string_view word) {
 /// The format that the content shows, or `automatic`.
 Mesh_format format_of_content(const char* data, std::size_t size) {
   const std::string_view text(data, size);
+  if (begins_with(text, "glTF")) return Mesh_format::glb;
   if (begins_with(text, "ply") && size > 3 && (text[3] == '\n' || text[3] == '\r' || text[3] == ' '))
     return Mesh_format::ply;
   Text_cursor cursor(data, data + size, '#');
   const std::string_view first = cursor.find_word() ? cursor.peek() : std::string_view();
+  if (begins_with(first, "{")) return Mesh_format::glb;
   if (is_off_keyword(first)) return Mesh_format::off;
   if (begins_with(first, "solid") || begins_with(first, "SOLID")) return Mesh_format::stl;
   const auto byte = [data](int i) { return std::uint64_t(static_cast<unsigned char>(data[i])); };
@@ -74,6 +78,21 @@ Error unreadable(const std::string& path, const std::string& why) {
 
 Error unreadable(const std::string& path, int error) {
   return unreadable(path, std::generic_category().message(error));
+}
+
+/// The last extension of a path, in small letters, without the dot.
+std::string extension_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] != '.') return {};
+  std::string extension = path.substr(dot + 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return extension;
+}
+
+bool is_other_format(const std::string& extension) {
+  return !extension.empty() &&
+         (' ' + other_mesh_formats() + ' ').find(' ' + extension + ' ') != std::string::npos;
 }
 
 /// Reads until `size` bytes are there or the file ends; the number of bytes read, or -1.
@@ -91,7 +110,10 @@ std::int64_t read_bytes(int file, char* data, std::size_t size) {
 
 } // namespace
 
-Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh_format format) {
+Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh_format format,
+                                        std::vector<std::string>* notes) {
+  Notes ignored;
+  Notes& told = notes ? *notes : ignored;
   if (size == 0) return make_error(Error_code::malformed_file, "The file is empty.");
   if (const char* foreign = foreign_content(std::string_view(data, size)))
     return make_error(Error_code::unsupported_format, std::string("The file is ") + foreign + ".");
@@ -101,18 +123,20 @@ Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh
   }
   const Mesh_format shown = format_of_content(data, size);
   switch (shown == Mesh_format::automatic ? format : shown) {
-  case Mesh_format::off: return parse_off(data, size);
-  case Mesh_format::obj: return parse_obj(data, size);
+  case Mesh_format::off: return parse_off(data, size, told);
+  case Mesh_format::obj: return parse_obj(data, size, told);
   case Mesh_format::ply: return parse_ply(data, size);
-  case Mesh_format::stl: return parse_stl(data, size);
+  case Mesh_format::stl: return parse_stl(data, size, told);
+  case Mesh_format::glb: return parse_gltf(data, size, told);
   case Mesh_format::vtk:
-  case Mesh_format::glb:
   case Mesh_format::automatic: break;
   }
-  return make_error(Error_code::unsupported_format, "The content is not OFF, OBJ, PLY or STL.");
+  return make_error(Error_code::unsupported_format,
+                    "The content is not OFF, OBJ, PLY, STL or glTF; save the mesh as one of these.");
 }
 
-Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t maximum_bytes) {
+Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t maximum_bytes,
+                                       std::vector<std::string>* notes) {
   // Non-blocking, so that a pipe without a writer does not hang before it is refused.
   const File_descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) return unreadable(path, errno);
@@ -130,7 +154,10 @@ Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t ma
   const std::int64_t head_size =
       read_bytes(file.get(), head, std::size_t(std::min<std::uint64_t>(size, sizeof head)));
   if (head_size < 0) return unreadable(path, errno);
-  if (const char* foreign = foreign_content(std::string_view(head, std::size_t(head_size))))
+  const std::string extension = extension_of(path);
+  const bool other = is_other_format(extension);
+  if (const char* foreign = foreign_content(std::string_view(head, std::size_t(head_size)));
+      foreign && !other)
     return make_error(Error_code::unsupported_format, "'" + path + "' is " + foreign + ".");
   const std::unique_ptr<char[]> data(new char[std::size_t(size) + 1]);
   std::copy(head, head + head_size, data.get());
@@ -138,8 +165,10 @@ Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t ma
       read_bytes(file.get(), data.get() + head_size, std::size_t(size) - std::size_t(head_size));
   if (rest < 0) return unreadable(path, errno);
 
+  Notes ignored;
   Result<Polygon_soup> soup =
-      parse_polygon_soup(data.get(), std::size_t(head_size + rest), format_of_extension(path));
+      other ? parse_by_assimp(data.get(), std::size_t(head_size + rest), extension, notes ? *notes : ignored)
+            : parse_polygon_soup(data.get(), std::size_t(head_size + rest), format_of_extension(path), notes);
   if (soup) return soup;
   Error error = soup.error();
   error.message = "'" + path + "': " + error.message;

@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -14,13 +16,19 @@ namespace Reeb_quadrangulation {
 /// The largest number of points, polygons or corners: indices are of type `int`.
 constexpr std::int64_t largest_count = std::numeric_limits<int>::max() - 1;
 
-Result<Polygon_soup> parse_off(const char* data, std::size_t size);
-Result<Polygon_soup> parse_obj(const char* data, std::size_t size);
-Result<Polygon_soup> parse_ply(const char* data, std::size_t size);
-Result<Polygon_soup> parse_stl(const char* data, std::size_t size);
+/// What a reader passed over, as sentences.
+using Notes = std::vector<std::string>;
 
-/// For each point the first point with the same coordinates (-0 and 0 are the same; NaN is only itself).
-std::vector<int> first_equal_points(const std::vector<Point>& points);
+Result<Polygon_soup> parse_off(const char* data, std::size_t size, Notes& notes);
+Result<Polygon_soup> parse_obj(const char* data, std::size_t size, Notes& notes);
+Result<Polygon_soup> parse_ply(const char* data, std::size_t size);
+Result<Polygon_soup> parse_stl(const char* data, std::size_t size, Notes& notes);
+Result<Polygon_soup> parse_gltf(const char* data, std::size_t size, Notes& notes);
+
+/// What Assimp makes of a file of one of `other_mesh_formats()`; `extension` without the dot, in small
+/// letters.
+Result<Polygon_soup> parse_by_assimp(const char* data, std::size_t size, const std::string& extension,
+                                     Notes& notes);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

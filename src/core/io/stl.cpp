@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STL, ascii and binary. The format has no indices: equal points are made one.
+#include "base/equal_points.h"
 #include "io/readers.h"
 #include "io/text_cursor.h"
 
@@ -51,9 +52,15 @@ Polygon_soup indexed(std::vector<Point> corners) {
   return soup;
 }
 
-Result<Polygon_soup> parse_binary(const char* data, std::size_t size) {
-  const std::int64_t facets = little_endian_32(data + header_size - 4);
+Result<Polygon_soup> parse_binary(const char* data, std::size_t size, Notes& notes) {
+  std::int64_t facets = little_endian_32(data + header_size - 4);
   const std::int64_t room = std::int64_t((size - header_size) / facet_size);
+  // Programs that do not know the number when they begin leave it 0, and some never come back.
+  if (facets == 0 && room > 0) {
+    facets = room;
+    notes.push_back("the header announces no triangles; the " + std::to_string(room) +
+                    " for which there are bytes were read");
+  }
   if (facets > room)
     return byte_error("Binary STL", std::int64_t(header_size) - 4,
                       std::to_string(facets) + " triangles are announced, but the file has bytes for " +
@@ -72,7 +79,8 @@ Result<Polygon_soup> parse_binary(const char* data, std::size_t size) {
 
 class Ascii_parser {
 public:
-  Ascii_parser(const char* data, std::size_t size) : m_cursor(data, data + size) {}
+  Ascii_parser(const char* data, std::size_t size, Notes& notes)
+      : m_cursor(data, data + size), m_notes(notes) {}
 
   Result<Polygon_soup> parse() {
     while (m_cursor.find_word()) {
@@ -80,6 +88,15 @@ public:
       m_cursor.skip_line();
       while (m_cursor.find_word() && equals_ignoring_case(m_cursor.peek(), "facet"))
         if (Result<void> done = facet(); !done) return done.error();
+      if (!m_cursor.find_word()) {
+        if (m_corners.empty()) return expected("facet or endsolid");
+        m_notes.push_back("the file ends without endsolid, behind a whole facet");
+        break;
+      }
+      if (equals_ignoring_case(m_cursor.peek(), "solid") && !m_corners.empty()) {
+        m_notes.push_back("a solid ends without endsolid before line " + std::to_string(m_cursor.line()));
+        continue;
+      }
       if (!take("endsolid")) return expected("facet or endsolid");
       m_cursor.skip_line();
     }
@@ -123,6 +140,7 @@ private:
   }
 
   Text_cursor m_cursor;
+  Notes& m_notes;
   std::vector<Point> m_corners;
 };
 
@@ -136,42 +154,14 @@ bool looks_like_text(const char* data, std::size_t size) {
 
 } // namespace
 
-Result<Polygon_soup> parse_stl(const char* data, std::size_t size) {
+Result<Polygon_soup> parse_stl(const char* data, std::size_t size, Notes& notes) {
   const bool exact =
       size >= header_size && size == header_size + facet_size * std::size_t(little_endian_32(data + 80));
-  if (!exact && looks_like_text(data, size)) return Ascii_parser(data, size).parse();
+  if (!exact && looks_like_text(data, size)) return Ascii_parser(data, size, notes).parse();
   if (size < header_size)
     return byte_error("STL", std::int64_t(size),
                       "the file begins like no ascii STL and is too short for a binary one");
-  return parse_binary(data, size);
-}
-
-std::vector<int> first_equal_points(const std::vector<Point>& points) {
-  // Open addressing; a point's slot depends on its coordinates only, and the result not on the slots.
-  std::size_t slots = 16;
-  while (slots < 2 * points.size()) slots *= 2;
-  std::vector<int> table(slots, -1), first(points.size());
-  const auto bits = [](double x) {
-    std::uint64_t b;
-    x += 0.0; // -0 becomes 0
-    std::memcpy(&b, &x, sizeof b);
-    return b;
-  };
-  const auto mixed = [](std::uint64_t x) {
-    x = (x ^ (x >> 32)) * 0xd6e8feb86659fd93u;
-    x = (x ^ (x >> 32)) * 0xd6e8feb86659fd93u;
-    return x ^ (x >> 32);
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& p = points[i];
-    first[i] = int(i);
-    if (!p.allFinite()) continue;
-    std::size_t slot = mixed(bits(p[0]) + mixed(bits(p[1]) + mixed(bits(p[2])))) & (slots - 1);
-    while (table[slot] >= 0 && points[std::size_t(table[slot])] != p) slot = (slot + 1) & (slots - 1);
-    if (table[slot] < 0) table[slot] = int(i);
-    first[i] = table[slot];
-  }
-  return first;
+  return parse_binary(data, size, notes);
 }
 
 } // namespace Reeb_quadrangulation

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mend/loops.h"
 
+#include "base/equal_points.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -105,6 +108,7 @@ public:
     m_result.triangles.reserve(m_soup.begin.size());
     m_result.face_of_triangle.reserve(m_soup.begin.size());
     collect_edges();
+    find_twins();
     for (int f = 0; f < m_soup.number_of_polygons(); ++f) {
       clean_corners(f);
       if (m_corners.size() < 3)
@@ -129,6 +133,58 @@ private:
                        m_soup.corner[c + 1 < m_soup.begin[f + 1] ? c + 1 : m_soup.begin[f]]);
   }
 
+  // Polygons of more than three corners at the same places, in any order: the back of a panel is divided as
+  // its front is.
+  void find_twins() {
+    m_twin_of.assign(std::size_t(m_soup.number_of_polygons()), -1);
+    bool any = false;
+    for (int f = 0; f < m_soup.number_of_polygons() && !any; ++f) any = m_soup.size_of_polygon(f) > 3;
+    if (!any) return;
+    m_place = first_equal_points(m_soup.points);
+    std::vector<std::pair<std::uint64_t, int>> keys;
+    for (int f = 0; f < m_soup.number_of_polygons(); ++f) {
+      if (m_soup.size_of_polygon(f) <= 3 || m_soup.size_of_polygon(f) > largest_polygon) continue;
+      std::uint64_t key = 0; // does not depend on the order of the corners
+      for (int c = m_soup.begin[f]; c < m_soup.begin[f + 1]; ++c) {
+        const std::uint64_t x = (std::uint64_t(m_place[m_soup.corner[c]]) + 1) * 0xd6e8feb86659fd93u;
+        key += (x ^ (x >> 32)) * 0xd6e8feb86659fd93u;
+      }
+      keys.emplace_back(key, f);
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 1, first = 0; i < keys.size(); ++i) {
+      if (keys[i].first != keys[first].first || places(keys[i].second) != places(keys[first].second)) {
+        first = i;
+        continue;
+      }
+      m_twin_of[keys[i].second] = keys[first].second;
+      m_triples_of.emplace(keys[first].second, std::vector<Triangle>());
+    }
+  }
+
+  std::vector<int> places(int f) const {
+    std::vector<int> result;
+    for (int c = m_soup.begin[f]; c < m_soup.begin[f + 1]; ++c) result.push_back(m_place[m_soup.corner[c]]);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  /// The triples of the polygon on which polygon `f`, whose corners are at hand, lies; false if that has
+  /// none, or a place occurs twice.
+  bool as_twin(int f, std::vector<Triangle>& triples) const {
+    const auto found = m_triples_of.find(m_twin_of[f]);
+    if (m_twin_of[f] < 0 || found == m_triples_of.end() || found->second.empty()) return false;
+    std::map<int, int> position;
+    for (std::size_t i = 0; i < m_corners.size(); ++i) position[m_place[m_corners[i]]] = int(i);
+    if (position.size() != m_corners.size() || found->second.size() + 2 != m_corners.size()) return false;
+    for (Triangle t : found->second) {
+      for (int& place : t) place = position.at(place);
+      std::sort(t.begin(), t.end());
+      triples.push_back(t);
+    }
+    return true;
+  }
+
   void clean_corners(int f) {
     m_corners.clear();
     for (int c = m_soup.begin[f]; c < m_soup.begin[f + 1]; ++c)
@@ -146,7 +202,11 @@ private:
     const double n = double(m_corners.size());
     m_work += n * n * n / 6;
     std::vector<Triangle> triples;
-    if (n <= 256 && m_work <= largest_work && best(triples)) {
+    if (as_twin(f, triples) || (n <= largest_polygon && m_work <= largest_work && best(triples))) {
+      if (const auto twins = m_triples_of.find(f); twins != m_triples_of.end())
+        for (const Triangle& t : triples)
+          twins->second.push_back(
+              {m_place[m_corners[t[0]]], m_place[m_corners[t[1]]], m_place[m_corners[t[2]]]});
       for (const Triangle& t : triples) {
         add(f, m_corners[t[0]], m_corners[t[1]], m_corners[t[2]]);
         for (int i = 0; i < 3; ++i) m_edges.insert(m_corners[t[i]], m_corners[t[(i + 1) % 3]]);
@@ -173,12 +233,16 @@ private:
 
   // Steps spent on all polygons of a file together; about a second.
   static constexpr double largest_work = 3e8;
+  static constexpr int largest_polygon = 256;
 
   const Polygon_soup& m_soup;
   std::vector<Point>& m_points;
   Edge_set m_edges;
   std::vector<int> m_corners;
   double m_work = 0;
+  std::vector<int> m_place;   ///< per point: the first at its place; empty if there are triangles only
+  std::vector<int> m_twin_of; ///< per polygon: the first that lies on it, or -1
+  std::map<int, std::vector<Triangle>> m_triples_of; ///< of polygons with twins, by places
   Triangulated_polygons m_result;
 };
 

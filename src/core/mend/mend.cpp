@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
-#include "io/readers.h"
+#include "base/equal_points.h"
 #include "mend/corners.h"
+#include "mend/duplicates.h"
 #include "mend/flat_faces.h"
+#include "mend/junctions.h"
 #include "mend/loops.h"
+#include "mend/nesting.h"
+#include "mend/non_manifold.h"
+#include "mend/weld.h"
+
+#include <CGAL/assertions.h>
+#include <CGAL/use.h>
 
 #include <Eigen/Geometry>
 
@@ -16,258 +24,116 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-std::string text_of_count(std::int64_t count, const char* one, const char* many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 class Mender {
 public:
-  Mender(const Polygon_soup& soup, const Mend_options& options) : m_options(options), m_points(soup.points) {
-    m_point_of.resize(soup.points.size());
-    std::iota(m_point_of.begin(), m_point_of.end(), 0);
-    Triangulated_polygons all = triangulate_polygons(soup, m_points);
-    m_point_of.resize(m_points.size(), -1);
-    m_triangles = std::move(all.triangles);
-    m_face_of = std::move(all.face_of_triangle);
+  Mender(const Polygon_soup& soup, const Mend_options& options) : m_options(options) {
+    m_soup.points = soup.points;
+    m_soup.point_of.resize(soup.points.size());
+    std::iota(m_soup.point_of.begin(), m_soup.point_of.end(), 0);
+    m_weld = weld_distance(soup.points, soup.corner, options.weld);
+    Triangulated_polygons all = triangulate_polygons(soup, m_soup.points);
+    m_soup.point_of.resize(m_soup.points.size(), -1);
+    m_soup.triangles = std::move(all.triangles);
+    m_soup.face_of = std::move(all.face_of_triangle);
     say(all.polygons, "polygon was triangulated", "polygons were triangulated");
     say(all.dropped, "face with fewer than three different corners was dropped",
         "faces with fewer than three different corners were dropped");
   }
 
   Result<Mended_surface> run() {
-    if (m_triangles.empty())
-      return make_error(Error_code::not_a_surface, "There are " + std::to_string(m_points.size()) +
-                                                       " points, but no faces with three different corners.");
-    say(drop_repeated_corners(), "face with a repeated corner was dropped",
+    if (m_soup.triangles.empty())
+      return make_error(Error_code::not_a_surface,
+                        "There are " + std::to_string(m_soup.points.size()) +
+                            " points, but no faces with three different corners; a cloud of points is to be "
+                            "turned into triangles first.");
+    say(m_soup.drop_repeated_corners(), "face with a repeated corner was dropped",
         "faces with a repeated corner were dropped");
     if (!take_whole()) {
-      merge_points();
-      drop_duplicate_faces();
+      weld(m_soup, m_weld, m_merged, m_result.mends);
+      if (m_weld > 0) mend_junctions(m_soup, m_weld, m_result.mends);
+      drop_duplicate_faces(m_soup, m_result.mends);
+      drop_flaps(m_soup, m_weld, m_result.mends);
       split_into_components();
       for (int c = 0; c < m_components; ++c) build(c);
     }
+    drop_small_components();
+    orient_components();
     say_totals();
     if (!m_result.components.empty()) return std::move(m_result);
-    if (m_result.refused.empty())
-      return make_error(Error_code::not_a_surface, "No face is left after mending.");
-    return m_result.refused.front();
+    if (!m_result.refused.empty()) return m_result.refused.front();
+    if (m_small > 0)
+      return make_error(Error_code::not_a_surface, "All components are smaller than what is to be kept; keep "
+                                                   "smaller ones.");
+    return make_error(Error_code::not_a_surface, "No face is left after mending: none of them has an area.");
   }
 
 private:
   void say(std::int64_t count, const char* one, const char* many) {
-    if (count > 0) m_result.mends.push_back({count, text_of_count(count, one, many)});
+    Reeb_quadrangulation::say(m_result.mends, count, one, many);
   }
 
-  /// Keeps the triangles for which `keep(f)`; the number of the others.
-  template <class Predicate> std::int64_t keep_triangles(Predicate keep) {
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < m_triangles.size(); ++f) {
-      if (!keep(f)) continue;
-      m_triangles[kept] = m_triangles[f];
-      m_face_of[kept++] = m_face_of[f];
-    }
-    const std::int64_t dropped = std::int64_t(m_triangles.size() - kept);
-    m_triangles.resize(kept);
-    m_face_of.resize(kept);
-    return dropped;
-  }
+  int number_of_points() const { return m_soup.number_of_points(); }
 
-  std::int64_t drop_repeated_corners() {
-    return keep_triangles([&](std::size_t f) {
-      const Triangle& t = m_triangles[f];
-      return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-    });
-  }
-
-  int number_of_points() const { return int(m_points.size()); }
-
-  /// The short way for what nearly all files hold: one component that is a surface already. False, with nothing
-  /// changed, if it is not so.
+  /// The short way for what nearly all files hold: one component that is a surface already. False, with
+  /// nothing changed, if it is not so.
   bool take_whole() {
     Mended_component whole;
-    whole.surface.points = m_points;
-    whole.surface.triangles = m_triangles;
+    whole.surface.points = m_soup.points;
+    whole.surface.triangles = m_soup.triangles;
     Triangle_surface& surface = whole.surface;
     if (!surface.connect() || connected_components(surface).second != 1) return false;
-    std::vector<char> on_border(m_points.size(), 0);
-    for (int h = 0; h < surface.number_of_halfedges(); ++h)
-      if (surface.is_boundary(h)) on_border[surface.source(h)] = 1;
-    const std::vector<int> into = equal_border_points(on_border);
-    for (int v = 0; v < number_of_points(); ++v)
-      if (into[v] != v || surface.outgoing[v] < 0) return false;
+    // Two triangles that are a closed surface lie on each other.
+    if (m_soup.triangles.size() == 2 && is_closed(surface)) return false;
+    if (std::find(surface.outgoing.begin(), surface.outgoing.end(), -1) != surface.outgoing.end() ||
+        !has_quiet_border(surface))
+      return false;
     m_components = 1;
-    m_component.assign(m_triangles.size(), 0);
+    m_component.assign(m_soup.triangles.size(), 0);
     m_refusal.assign(1, Error{});
-    look_at_points(0, m_triangles.size(), [](std::size_t i) { return i; });
-    if (m_triangles.size() == 2 && is_pillow(0, 1)) refuse_pillow(0, 0);
-    whole.point_of_vertex = m_point_of;
-    whole.face_of_triangle = m_face_of;
-    m_vertices = std::int64_t(m_points.size());
+    look_at_points(0, m_soup.triangles.size(), [](std::size_t i) { return i; });
+    whole.point_of_vertex = m_soup.point_of;
+    whole.face_of_triangle = m_soup.face_of;
+    m_vertices = std::int64_t(m_soup.points.size());
     accept(0, std::move(whole));
     return true;
   }
 
-  // ---- equal points ----
-
-  void merge_points() {
-    const Corner_mesh mesh = corner_mesh(m_triangles);
-    const Edge_groups edges = group_edges(mesh, number_of_points());
-    std::vector<char> on_border(m_points.size(), 0);
-    bool any = false, manifold = true;
-    for (int e = 0; e < edges.number_of_edges(); ++e) {
-      manifold &= edges.size(e) <= 2;
-      if (edges.size(e) == 2) continue;
-      on_border[mesh.source[edges.first(e)]] = on_border[mesh.target(edges.first(e))] = 1;
-      any = true;
-    }
-    if (!any) return;
-    std::vector<int> into = equal_border_points(on_border);
-    if (manifold) leave_apart_where_harmful(into);
-    std::int64_t merged = 0;
-    m_merged.resize(m_points.size(), 0);
-    for (int v = 0; v < number_of_points(); ++v) merged += m_merged[v] = into[v] != v;
-    if (merged == 0) return;
-    for (Triangle& t : m_triangles)
-      for (int& v : t) v = into[v];
-    say(merged, "point was merged with one of equal coordinates",
-        "points were merged with others of equal coordinates");
-    say(drop_repeated_corners(), "face whose corners were merged was dropped",
-        "faces whose corners were merged were dropped");
-  }
-
-  std::vector<int> equal_border_points(const std::vector<char>& on_border) const {
+  /// Whether no border point is equal or near to another or lies on an edge of the border.
+  bool has_quiet_border(const Triangle_surface& surface) const {
+    std::vector<int> sides;
     std::vector<Point> points;
-    std::vector<int> ids, into(m_points.size());
-    std::iota(into.begin(), into.end(), 0);
-    for (int v = 0; v < number_of_points(); ++v)
-      if (on_border[v]) {
-        points.push_back(m_points[v]);
-        ids.push_back(v);
+    for (int h = 0; h < surface.number_of_halfedges(); ++h)
+      if (surface.is_boundary(h)) {
+        sides.push_back(h);
+        points.push_back(surface.points[surface.source(h)]);
       }
-    const std::vector<int> first = first_equal_points(points);
-    for (std::size_t i = 0; i < ids.size(); ++i) into[ids[i]] = ids[first[i]];
-    return into;
-  }
-
-  // Two sheets that touch along an edge were apart in the file, and stay so.
-  void leave_apart_where_harmful(std::vector<int>& into) const {
-    for (int round = 0; round < 8; ++round) {
-      std::vector<Triangle> merged;
-      for (const Triangle& t : m_triangles) {
-        const Triangle m = {into[t[0]], into[t[1]], into[t[2]]};
-        if (m[0] != m[1] && m[1] != m[2] && m[2] != m[0]) merged.push_back(m);
-      }
-      const Corner_mesh mesh = corner_mesh(merged);
-      const Edge_groups edges = group_edges(mesh, number_of_points());
-      std::vector<char> harmful(m_points.size(), 0);
-      for (int e = 0; e < edges.number_of_edges(); ++e)
-        if (edges.size(e) > 2)
-          harmful[mesh.source[edges.first(e)]] = harmful[mesh.target(edges.first(e))] = 1;
-      bool changed = false;
-      for (int v = 0; v < number_of_points(); ++v)
-        if (into[v] != v && harmful[into[v]]) {
-          into[v] = v;
-          changed = true;
-        }
-      if (!changed) return;
-    }
-  }
-
-  // ---- duplicate faces ----
-
-  // Faces with the same corners are one face; patches of such faces that end at faces of the surface are
-  // sheets inside it and vanish. Two faces that have only each other as neighbours stay, and are refused as a
-  // pillow.
-  void drop_duplicate_faces() {
-    const int n = int(m_triangles.size());
-    std::vector<int> order(n), first_of(n), copies(n, 0);
-    std::vector<Triangle> sorted = m_triangles;
-    for (Triangle& t : sorted) std::sort(t.begin(), t.end());
-    std::iota(order.begin(), order.end(), 0);
-    if (!bring_equal_together(sorted, order)) return;
-    for (int i = 0, first = 0; i < n; ++i) {
-      if (sorted[order[i]] != sorted[order[first]]) first = i;
-      first_of[order[i]] = order[first];
-      ++copies[order[first]];
-    }
-    const std::vector<char> sheet = inner_sheets(first_of, copies);
-    std::int64_t sheets = 0;
-    const std::int64_t dropped = keep_triangles([&](std::size_t f) {
-      sheets += sheet[first_of[f]];
-      return (first_of[f] == int(f) || copies[first_of[f]] < 0) && !sheet[first_of[f]];
-    });
-    say(sheets, "face of a double sheet inside a surface was dropped",
-        "faces of double sheets inside a surface were dropped");
-    say(dropped - sheets, "duplicate face was dropped", "duplicate faces were dropped");
-  }
-
-  /// Sorts the faces by their corners; false if no two are equal.
-  bool bring_equal_together(const std::vector<Triangle>& sorted, std::vector<int>& order) const {
-    std::vector<int> begin(m_points.size() + 1, 0), bucket(order.size());
-    for (const Triangle& t : sorted) ++begin[t[0] + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<int> end(begin.begin(), begin.end() - 1);
-    for (int f : order) bucket[end[sorted[f][0]]++] = f;
-    bool any = false;
-    for (int v = 0; v < number_of_points(); ++v) {
-      std::sort(bucket.begin() + begin[v], bucket.begin() + begin[v + 1],
-                [&](int f, int g) { return sorted[f] != sorted[g] ? sorted[f] < sorted[g] : f < g; });
-      for (int i = begin[v] + 1; i < begin[v + 1]; ++i) any |= sorted[bucket[i]] == sorted[bucket[i - 1]];
-    }
-    order.swap(bucket);
-    return any;
-  }
-
-  /// For each first copy whether it belongs to a sheet inside a surface. Marks pillows by a negative number
-  /// of copies.
-  std::vector<char> inner_sheets(const std::vector<int>& first_of, std::vector<int>& copies) const {
-    const int n = int(m_triangles.size());
-    std::vector<Triangle> unique;
-    std::vector<int> id;
-    for (int f = 0; f < n; ++f)
-      if (first_of[f] == f) {
-        unique.push_back(m_triangles[f]);
-        id.push_back(f);
-      }
-    const Corner_mesh mesh = corner_mesh(unique);
-    const Edge_groups edges = group_edges(mesh, number_of_points());
-    Disjoint_sets patches(n);
-    std::vector<char> touches(n, 0), alone(n, 1), sheet(n, 0);
-    for (int e = 0; e < edges.number_of_edges(); ++e)
-      for (int i = edges.begin[e]; i < edges.begin[e + 1]; ++i) {
-        const int f = id[edges.side[i] / 3], g = id[edges.first(e) / 3];
-        if (edges.size(e) > 1) alone[f] = 0;
-        if (edges.size(e) == 2 && copies[f] > 1 && copies[g] > 1) patches.join(f, g);
-        if (edges.size(e) > 2) touches[f] = 1;
-      }
-    std::vector<char> touching_patch(n, 0);
-    for (int f : id)
-      if (touches[f]) touching_patch[patches.find(f)] = 1;
-    for (int f : id) sheet[f] = copies[f] > 1 && touching_patch[patches.find(f)];
-    for (int f = 0; f < n; ++f) {
-      const int first = first_of[f];
-      if (f != first && copies[first] == 2 && alone[first] && !same_sense(m_triangles[first], m_triangles[f]))
-        copies[first] = -2;
-    }
-    return sheet;
-  }
-
-  static bool same_sense(const Triangle& s, const Triangle& t) {
-    const int i = int(std::find(t.begin(), t.end(), s[0]) - t.begin());
-    return t[(i + 1) % 3] == s[1];
+    if (sides.empty()) return true;
+    const std::vector<int> into = first_near_points(points, m_weld);
+    for (std::size_t i = 0; i < into.size(); ++i)
+      if (into[i] != int(i)) return false;
+    return m_weld == 0 ||
+           find_junctions(surface.points, corner_mesh(surface.triangles), sides, m_weld).empty();
   }
 
   // ---- components, fans, orientation ----
 
   void split_into_components() {
-    m_mesh = corner_mesh(m_triangles);
-    m_edges = group_edges(m_mesh, number_of_points());
-    const int n = int(m_triangles.size());
+    connect_faces();
+    if (m_options.cut_non_manifold_edges) {
+      m_cuts = cut_edges(m_soup, m_mesh, m_edges);
+      find_fans();
+      // Halves of an edge are cut as the edge was, and have an end of their own.
+      while (divide_cut_edges(m_soup, m_mesh, m_edges, m_fan)) {
+        connect_faces();
+        cut_edges(m_soup, m_mesh, m_edges);
+        find_fans();
+      }
+    }
+    const int n = m_soup.number_of_triangles();
     Disjoint_sets sets(n);
     for (int e = 0; e < m_edges.number_of_edges(); ++e)
       for (int i = m_edges.begin[e] + 1; i < m_edges.begin[e + 1]; ++i)
-        if (m_edges.size(e) == 2 || !m_options.cut_non_manifold_edges)
-          sets.join(m_edges.first(e) / 3, m_edges.side[i] / 3);
+        sets.join(m_edges.first(e) / 3, m_edges.side[i] / 3);
     m_component.assign(n, -1);
     for (int f = 0; f < n; ++f)
       m_component[f] = sets.find(f) == f ? m_components++ : m_component[sets.find(f)];
@@ -278,34 +144,40 @@ private:
     m_faces.resize(n);
     for (int f = 0; f < n; ++f) m_faces[end[m_component[f]]++] = f;
     m_refusal.assign(m_components, Error{});
-    find_non_manifold_edges();
+    refuse_non_manifold_edges();
     find_fans();
     orient();
   }
 
-  void refuse(int component, std::string text, Element_kind kind, int element) {
+  void connect_faces() {
+    m_mesh = corner_mesh(m_soup.triangles);
+    m_edges = group_edges(m_mesh, number_of_points());
+  }
+
+  /// The first reason of a component counts. `advice` is what to do about it.
+  void refuse(int component, const std::string& text, const char* advice, Element_kind kind, int element) {
     Error& error = m_refusal[component];
     if (error.message.empty())
       error = make_error(Error_code::not_a_surface,
-                         "Component " + std::to_string(component) + ": " + text + ".", kind, element);
+                         "Component " + std::to_string(component) + ": " + text + "; " + advice + ".", kind,
+                         element);
   }
 
   std::string place(int v) const {
     const std::string name =
-        m_point_of[v] < 0 ? "the middle of a polygon" : "point " + std::to_string(m_point_of[v]);
-    return name + " at " + text_of(m_points[v]);
+        m_soup.point_of[v] < 0 ? "the middle of a polygon" : "point " + std::to_string(m_soup.point_of[v]);
+    return name + " at " + text_of(m_soup.points[v]);
   }
 
-  void find_non_manifold_edges() {
+  void refuse_non_manifold_edges() {
     for (int e = 0; e < m_edges.number_of_edges(); ++e) {
       if (m_edges.size(e) <= 2) continue;
-      ++m_cut_edges;
-      if (m_options.cut_non_manifold_edges) continue;
       const int s = m_edges.first(e), a = m_mesh.source[s], b = m_mesh.target(s);
       refuse(m_component[s / 3],
              "the edge from " + place(a) + " to " + place(b) + " has " + std::to_string(m_edges.size(e)) +
                  " faces",
-             Element_kind::face, m_face_of[s / 3]);
+             "let it be cut there, or give each of the surfaces that meet an edge of its own",
+             Element_kind::face, m_soup.face_of[s / 3]);
     }
   }
 
@@ -317,7 +189,7 @@ private:
 
   // From the smallest face of each component over the edges with two faces.
   void orient() {
-    const int n = int(m_triangles.size());
+    const int n = int(m_soup.triangles.size());
     std::vector<int> edge_of(3 * std::size_t(n), -1), stack;
     for (int e = 0; e < m_edges.number_of_edges(); ++e)
       if (m_edges.size(e) == 2) edge_of[m_edges.first(e)] = edge_of[m_edges.second(e)] = e;
@@ -339,8 +211,8 @@ private:
           } else if (m_turned[g] != turned) {
             refuse(m_component[f],
                    "the surface has only one side, as a Moebius band has; face " +
-                       std::to_string(m_face_of[f]) + " and its neighbours cannot be oriented alike",
-                   Element_kind::face, m_face_of[f]);
+                       std::to_string(m_soup.face_of[f]) + " and its neighbours cannot be oriented alike",
+                   "cut it open across, or give it a thickness", Element_kind::face, m_soup.face_of[f]);
           }
         }
       }
@@ -353,7 +225,6 @@ private:
     const int begin = m_faces_begin[c], end = m_faces_begin[c + 1];
     look_at_points(c, std::size_t(end - begin),
                    [&](std::size_t i) { return std::size_t(m_faces[begin + int(i)]); });
-    if (end - begin == 2 && is_pillow(m_faces[begin], m_faces[begin + 1])) refuse_pillow(c, m_faces[begin]);
     if (!m_refusal[c].message.empty()) {
       m_result.refused.push_back(m_refusal[c]);
       return;
@@ -380,7 +251,7 @@ private:
       if (counts.kept == surface.number_of_faces())
         return make_error(Error_code::not_a_surface,
                           "The component with face " + std::to_string(component.face_of_triangle[0]) +
-                              " has no area.",
+                              " has no area; remove it.",
                           Element_kind::face, component.face_of_triangle[0]);
       m_flat += counts;
       if (done = surface.connect(); !done) return done;
@@ -390,44 +261,26 @@ private:
       m_filled += filled;
       if (done = surface.connect(); !done) return done;
     }
-    if (m_options.orient_outward && is_closed(surface) && volume(surface) < 0) {
-      for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
-      ++m_outward;
-      return surface.connect();
-    }
     return done;
-  }
-
-  static bool is_closed(const Triangle_surface& surface) {
-    return std::find(surface.opposite.begin(), surface.opposite.end(), -1) == surface.opposite.end();
-  }
-
-  bool is_pillow(int f, int g) const {
-    Triangle s = m_triangles[f], t = m_triangles[g];
-    std::sort(s.begin(), s.end());
-    std::sort(t.begin(), t.end());
-    return s == t;
-  }
-
-  void refuse_pillow(int c, int f) {
-    refuse(c, "two triangles are glued to each other along all three edges; they enclose nothing",
-           Element_kind::face, m_face_of[f]);
   }
 
   /// Refuses component `c`, with the `count` triangles `face(i)`, for points that cannot be computed with.
   template <class Face> void look_at_points(int c, std::size_t count, Face face) {
+    Eigen::AlignedBox3d box;
     for (std::size_t i = 0; i < count; ++i)
-      for (int v : m_triangles[face(i)]) {
-        if (!m_points[v].allFinite()) {
-          refuse(c, place(v) + " is not finite", Element_kind::vertex, m_point_of[v]);
-          return;
-        }
-        // Products of four coordinates must neither overflow.
-        if (m_points[v].cwiseAbs().maxCoeff() > 1e70) {
-          refuse(c, place(v) + " is too far away to compute with", Element_kind::vertex, m_point_of[v]);
-          return;
-        }
+      for (int v : m_soup.triangles[face(i)]) {
+        const Point& p = m_soup.points[v];
+        if (!p.allFinite())
+          return refuse(c, place(v) + " is not finite", "move it, or remove its faces", Element_kind::vertex,
+                        m_soup.point_of[v]);
+        if (p.cwiseAbs().maxCoeff() > largest_coordinate)
+          return refuse(c, place(v) + " is too far away to compute with", "move it, or scale the mesh down",
+                        Element_kind::vertex, m_soup.point_of[v]);
+        box.extend(p);
       }
+    if (box.diagonal().norm() * largest_coordinate < 1)
+      refuse(c, "it is too small to compute with", "scale the mesh up", Element_kind::face,
+             m_soup.face_of[face(0)]);
   }
 
   /// The faces of a component, oriented alike as most of them are, with one vertex for each fan, in the order
@@ -451,8 +304,8 @@ private:
     for (int k : corners) {
       const int v = m_mesh.source[k];
       m_vertex_of_fan[k] = result.surface.number_of_vertices();
-      result.surface.points.push_back(m_points[v]);
-      result.point_of_vertex.push_back(m_point_of[v]);
+      result.surface.points.push_back(m_soup.points[v]);
+      result.point_of_vertex.push_back(m_soup.point_of[v]);
     }
     m_vertices += std::int64_t(corners.size());
     for (int i = begin; i < end; ++i) {
@@ -461,25 +314,63 @@ private:
       for (int k = 0; k < 3; ++k) t[k] = m_vertex_of_fan[m_fan[3 * f + k]];
       if (bool(m_turned[f]) != other_way) std::swap(t[1], t[2]);
       result.surface.triangles.push_back(t);
-      result.face_of_triangle.push_back(m_face_of[f]);
+      result.face_of_triangle.push_back(m_soup.face_of[f]);
     }
     return result;
   }
 
-  // Six times the volume, from a corner so that a far origin does not spoil it.
-  static double volume(const Triangle_surface& surface) {
-    const Point origin = surface.points[0];
-    double sum = 0;
-    for (const Triangle& t : surface.triangles)
-      sum += (surface.points[t[0]] - origin)
-                 .dot((surface.points[t[1]] - origin).cross(surface.points[t[2]] - origin));
-    return sum;
+  // ---- all components ----
+
+  static double diagonal(const Triangle_surface& surface) {
+    Eigen::AlignedBox3d box;
+    for (const Point& p : surface.points) box.extend(p);
+    return box.isEmpty() ? 0 : box.diagonal().norm();
+  }
+
+  void drop_small_components() {
+    Eigen::AlignedBox3d all;
+    for (const Mended_component& c : m_result.components)
+      for (const Point& p : c.surface.points) all.extend(p);
+    const double whole = all.isEmpty() ? 0 : all.diagonal().norm();
+    const double least = std::max(m_options.smallest_diagonal, m_options.smallest_part * whole);
+    if (!(least > 0) && m_options.fewest_triangles <= 0) return;
+    std::int64_t faces = 0;
+    const auto is_small = [&](const Mended_component& c) {
+      const bool small =
+          diagonal(c.surface) < least || c.surface.number_of_faces() < m_options.fewest_triangles;
+      m_small += small;
+      faces += small ? c.surface.number_of_faces() : 0;
+      return small;
+    };
+    std::vector<Mended_component>& components = m_result.components;
+    components.erase(std::remove_if(components.begin(), components.end(), is_small), components.end());
+    if (m_small > 0)
+      m_result.mends.push_back({m_small, text_of_count(m_small, "small component was dropped (",
+                                                       "small components were dropped (") +
+                                             text_of_count(faces, "face)", "faces)")});
+  }
+
+  void orient_components() {
+    if (!m_options.orient_outward) return;
+    const std::vector<int> depth = nesting_depths(m_result.components);
+    for (std::size_t c = 0; c < m_result.components.size(); ++c) {
+      Triangle_surface& surface = m_result.components[c].surface;
+      const bool inward = depth[c] % 2 == 1;
+      const double volume = is_closed(surface) ? signed_volume(surface) : 0;
+      if (inward ? volume <= 0 : volume >= 0) continue;
+      ++(inward ? m_inward : m_outward);
+      for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
+      const bool connected = bool(surface.connect());
+      CGAL_assertion(connected); // as it was before
+      CGAL_USE(connected);
+    }
   }
 
   void say_totals() {
-    if (m_options.cut_non_manifold_edges)
-      say(m_cut_edges, "edge with more than two faces was cut open",
-          "edges with more than two faces were cut open");
+    say(m_cuts.solids, "edge along which solids touch was cut, so that they come apart",
+        "edges along which solids touch were cut, so that they come apart");
+    say(m_cuts.sheets, "edge where three sheets or more meet was cut, so that they come apart",
+        "edges where three sheets or more meet were cut, so that they come apart");
     say(m_vertices - used_points(), "point was added where several fans of faces meet",
         "points were added where several fans of faces meet");
     say(m_turned_faces, "face was turned to agree with its neighbours",
@@ -493,9 +384,11 @@ private:
         "faces without area were kept, since removing them would tear the surface");
     say(m_filled, "hole was filled", "holes were filled");
     say(m_outward, "closed component was turned outward", "closed components were turned outward");
+    say(m_inward, "closed component inside another was turned inward",
+        "closed components inside others were turned inward");
     std::vector<char> used = m_merged;
-    used.resize(m_points.size(), 0);
-    for (const Triangle& t : m_triangles)
+    used.resize(m_soup.points.size(), 0);
+    for (const Triangle& t : m_soup.triangles)
       for (int v : t) used[v] = 1;
     const std::int64_t unused = std::count(used.begin(), used.end(), 0);
     say(unused, "point without faces was dropped", "points without faces were dropped");
@@ -503,19 +396,17 @@ private:
 
   /// The number of points that the faces of the accepted components use.
   std::int64_t used_points() const {
-    std::vector<char> used(m_points.size(), 0);
-    for (std::size_t f = 0; f < m_triangles.size(); ++f)
+    std::vector<char> used(m_soup.points.size(), 0);
+    for (std::size_t f = 0; f < m_soup.triangles.size(); ++f)
       if (m_refusal[m_component[f]].message.empty())
-        for (int v : m_triangles[f]) used[v] = 1;
+        for (int v : m_soup.triangles[f]) used[v] = 1;
     return std::count(used.begin(), used.end(), 1);
   }
 
   const Mend_options m_options;
-  std::vector<Point> m_points;
-  std::vector<char> m_merged;  ///< per point, or empty: it was merged into another
-  std::vector<int> m_point_of; ///< per point: in the soup, or -1
-  std::vector<Triangle> m_triangles;
-  std::vector<int> m_face_of; ///< per triangle: its polygon of the soup
+  Loose_triangles m_soup;
+  double m_weld = 0;
+  std::vector<char> m_merged; ///< per point, or empty: it was merged into another
   Corner_mesh m_mesh;
   Edge_groups m_edges;
   std::vector<int> m_component, m_turned;  ///< per triangle
@@ -524,7 +415,8 @@ private:
   std::vector<int> m_vertex_of_fan;
   std::vector<Error> m_refusal; ///< per component; without a message where there is none
   int m_components = 0;
-  std::int64_t m_cut_edges = 0, m_vertices = 0, m_turned_faces = 0, m_outward = 0, m_filled = 0;
+  std::int64_t m_vertices = 0, m_turned_faces = 0, m_outward = 0, m_inward = 0, m_filled = 0, m_small = 0;
+  Edge_cuts m_cuts;
   Flat_face_counts m_flat;
   Mended_surface m_result;
 };

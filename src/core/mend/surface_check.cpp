@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
-#include "io/readers.h"
+#include "base/equal_points.h"
 #include "mend/corners.h"
+#include "mend/junctions.h"
+#include "mend/weld.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 
@@ -23,6 +26,9 @@ const char* name(Defect_kind kind) {
   case Defect_kind::duplicate_face: return "duplicate_face";
   case Defect_kind::unreferenced_point: return "unreferenced_point";
   case Defect_kind::duplicate_point: return "duplicate_point";
+  case Defect_kind::near_point: return "near_point";
+  case Defect_kind::t_junction: return "t_junction";
+  case Defect_kind::extreme_coordinate: return "extreme_coordinate";
   }
   return "";
 }
@@ -53,6 +59,7 @@ public:
     m_mesh = corner_mesh(m_soup, m_connects);
     m_edges = group_edges(m_mesh, m_soup.number_of_points());
     look_at_edges();
+    look_at_rims();
     look_at_fans();
     look_at_components();
     trace_boundaries();
@@ -91,6 +98,8 @@ private:
         m_check.lowest = any ? m_check.lowest.cwiseMin(p).eval() : p;
         m_check.highest = any ? m_check.highest.cwiseMax(p).eval() : p;
         any = true;
+        if (used[v] && p.cwiseAbs().maxCoeff() > largest_coordinate && count(Defect_kind::extreme_coordinate))
+          list(Defect_kind::extreme_coordinate, {v}, {}, p, the_point() + " is too far away to compute with");
       }
       if (!used[v] && count(Defect_kind::unreferenced_point))
         list(Defect_kind::unreferenced_point, {v}, {}, p, the_point() + " belongs to no face");
@@ -98,6 +107,16 @@ private:
         list(Defect_kind::duplicate_point, {first[v], v}, {}, p,
              the_point() + " has the coordinates of point " + std::to_string(first[v]));
     }
+    look_at_extent();
+  }
+
+  // A mesh whose extent vanishes when it is multiplied with itself is as useless as one that overflows.
+  void look_at_extent() {
+    const double diagonal = (m_check.highest - m_check.lowest).norm();
+    if (m_check.faces == 0 || diagonal * largest_coordinate >= 1 || !count(Defect_kind::extreme_coordinate))
+      return;
+    list(Defect_kind::extreme_coordinate, {}, {}, m_check.lowest,
+         "the whole mesh is too small to compute with; scale it up");
   }
 
   void look_at_faces() {
@@ -125,7 +144,8 @@ private:
          "face " + std::to_string(f) + what);
   }
 
-  // Faces with the same corners stand together when sorted by their smallest corner, their size, and their sorted corners.
+  // Faces with the same corners stand together when sorted by their smallest corner, their size, and their
+  // sorted corners.
   void find_duplicate_faces() {
     std::vector<int> sorted = m_soup.corner, bucket(m_soup.points.size() + 1, 0);
     for (int f = 0; f < m_soup.number_of_polygons(); ++f) {
@@ -176,6 +196,41 @@ private:
           count(Defect_kind::inconsistent_orientation))
         list_edge(Defect_kind::inconsistent_orientation, e,
                   " is run through in the same direction by both its faces");
+    }
+  }
+
+  // Border points a hair apart, and such on the inside of edges that have one face.
+  void look_at_rims() {
+    const double hair = weld_distance(m_soup.points, m_soup.corner, m_options.weld);
+    std::vector<int> sides;
+    for (int e = 0; e < m_edges.number_of_edges(); ++e)
+      if (m_edges.size(e) == 1) sides.push_back(m_edges.first(e));
+    if (sides.empty() || !(hair > 0)) return;
+    look_at_near_points(hair);
+    for (const Junctions& on : find_junctions(m_soup.points, m_mesh, sides, hair))
+      for (int v : on.points)
+        if (count(Defect_kind::t_junction))
+          list(Defect_kind::t_junction, {m_mesh.source[on.side], v, m_mesh.target(on.side)},
+               {m_mesh.face[on.side]}, point(v),
+               "point " + std::to_string(v) + " at " + text_of(point(v)) + " lies on " +
+                   edge_text(m_mesh.source[on.side], m_mesh.target(on.side)) +
+                   ", which has one face: a T-junction");
+  }
+
+  void look_at_near_points(double hair) {
+    std::vector<Triangle> fans; // a polygon as a fan has the rim that it had
+    for (int f = 0; f < m_soup.number_of_polygons(); ++f)
+      for (int c = m_soup.begin[f] + 1; m_connects[f] && c + 1 < m_soup.begin[f + 1]; ++c)
+        fans.push_back({m_soup.corner[m_soup.begin[f]], m_soup.corner[c], m_soup.corner[c + 1]});
+    const std::vector<int> into = near_border_points(m_soup.points, fans, hair);
+    for (int v = 0; v < m_soup.number_of_points(); ++v) {
+      const double distance = (point(v) - point(into[v])).norm();
+      if (into[v] == v || distance == 0 || !count(Defect_kind::near_point)) continue;
+      char far[32];
+      std::snprintf(far, sizeof far, "%.2g", distance);
+      list(Defect_kind::near_point, {into[v], v}, {}, point(v),
+           "point " + std::to_string(v) + " at " + text_of(point(v)) + " is only " + far + " from point " +
+               std::to_string(into[v]) + ": boundary edges lie on each other");
     }
   }
 
