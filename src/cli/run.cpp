@@ -304,14 +304,9 @@ private:
     if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
     if (m_run.is_written()) {
       const std::size_t warnings = m_run.certificate->warnings.size();
-      if (!m_options.quiet)
-        std::cout << "
-            certified : " << m_options.output
-                  << (warnings == 0   ? ""
-                      : warnings == 1 ? ", with a warning"
-                                      : ", with warnings")
-                  << '
-'; std::cout.flush();
+      const char* note = warnings == 0 ? "" : warnings == 1 ? ", with a warning" : ", with warnings";
+      if (!m_options.quiet) std::cout << "\ncertified: " << m_options.output << note << '\n';
+      std::cout.flush();
       if (m_run.status == Exit_code::in_part) list_what_is_left_out();
       return;
     }

@@ -284,7 +284,7 @@ TEST_CASE("good components are meshed where another is refused, unless it is to 
 
 TEST_CASE("specks that eat the count are told, and can be left out") {
   const Temporary_folder folder;
-  std::string ball = transformed(contents(Shape("sphere", 300).file), {1, 1, 1}, 0);
+  std::string ball = transformed(contents(Shape("sphere", 400).file), {1, 1, 1}, 0);
   int points = 0;
   for (std::size_t at = ball.find("v "); at != std::string::npos; at = ball.find("v ", at + 1)) ++points;
   for (int i = 0; i < 20; ++i) { // tetrahedra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One engine: `run` makes the bytes that `replay` makes of the recipe it writes.
 #include "cli_process.h"
+#include "model_files.h"
 
-#include <filesystem>
 #include <fstream>
 
 namespace {
@@ -55,15 +55,12 @@ TEST_CASE("a recipe of a file with several components is for one of them") {
   CHECK(reebquad({"run", two, "-o", quads, "--component", "3"}).code == 4);
 }
 
-TEST_CASE("run equals replay of its recipe on ten real meshes") {
+TEST_CASE("run equals replay of its recipe on ten real meshes", "[models]") {
   for (const char* file :
        {"bunny_low.off", "camelhead.off", "casting.off", "cube_twist.obj", "eight_low.off", "elk.off",
         "punctured_torus.obj", "rocker_arm_2500.obj", "spot_6k.obj", "wingnut.obj"}) {
-    const std::string path = std::string(REEBQUAD_MODELS_DIR) + "/" + file;
-    if (!std::filesystem::exists(path)) {
-      WARN("skipped: " << path << " is missing");
-      continue;
-    }
-    check_same_bytes(path, {"--quads", "1500", "--threads", "2"});
+    const std::optional<std::string> path = model_file(file);
+    if (!path) continue;
+    check_same_bytes(*path, {"--quads", "1500", "--threads", "2"});
   }
 }
