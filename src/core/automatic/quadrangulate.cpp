@@ -170,7 +170,7 @@ Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
 
 namespace {
 
-// Designs that are tried: at 20,000 triangles one takes about a thirtieth of a second on the coarse copy.
+// Designs that are tried: one takes 0.05 to 0.1 s of CPU time on the coarse copy, for 3000 quads.
 constexpr int tries_of_normal = 40, tries_of_best = 160;
 
 // Replaces the recipe's suggestion by better extrema, if some are found.
