@@ -76,7 +76,7 @@ std::vector<int> faces_of_charts(const Triangle_surface& surface, const Atlas& a
 Result<Chart> cut_region(const Embedding& embedding, const Contour_network& network,
                          const std::vector<int>& extrema, int face);
 
-/// The walks of a disc that is a rectangle begin their sides where they pass a half- or quarter-saddle: the indices of those four
+/// The walks of a disc that is a rectangle begin their sides where they pass a half- or quarter-saddle, or a corner: the indices of those four
 /// edges, or nothing if it is not a rectangle.
 std::vector<int> rectangle_corners(const Contour_network& network, const Chart& chart);
 
@@ -95,7 +95,7 @@ struct Reeb_graph {
 };
 
 /// Floods the faces between contours and boundaries, O(F), and checks each region: an annulus with one LOW and one HIGH
-/// walk, or a disc with one walk and one vertex of `extrema` inside (none if its walk passes half- or quarter-saddles four times). Fails with
+/// walk, or a disc with one walk and one vertex of `extrema` inside (none if its walk passes half- or quarter-saddles, or corners, four times). Fails with
 /// `internal_error`, naming the chart. A chart depends on the contours around it alone: the others change no bit of it.
 /// A chart of `previous` with the same contour edges on its walks is shared; `reused`, if given, gets its index
 /// there for each new chart, or -1. \pre Since then contour edges were only removed and added, and no crossing was moved.

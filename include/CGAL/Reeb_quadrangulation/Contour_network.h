@@ -25,6 +25,7 @@ enum class Node_kind : signed char {
   half_pole,      ///< an end of a segment that is an extremum
   half_saddle,    ///< where a loop and a middle segment meet
   quarter_saddle, ///< a corner of a rectangle
+  corner,         ///< of a cap that is a rectangle
   anchor          ///< a regular point that divides a contour, so that its parts move alone
 };
 

@@ -31,6 +31,14 @@ enum class Saddle_kind : signed char {
   quarter ///< four vertices of valence 5 around a rectangle
 };
 
+/// What a closed line of sharp edges is for the field, which is constant on it.
+enum class Sharp_curve_kind : signed char {
+  minimum, ///< the field rises on both sides
+  maximum, ///< it falls on both sides
+  cap_of_minimum, ///< it falls through the line to a minimum in the middle of a face that the line bounds alone
+  cap_of_maximum  ///< it rises to a maximum there
+};
+
 /// What makes the field follow a contour that the user has moved.
 enum class Enforcement : signed char {
   contour, ///< the contour is cut into the surface; the charts beside it are mapped anew (default)
@@ -56,6 +64,16 @@ struct Set_extrema {
     double value = -1; ///< in [0, 1]; negative: 0 for a minimum, 1 for a maximum
   };
   std::vector<Extremum> extrema;
+  /// A closed line of sharp edges that becomes a contour as it is: a loop around a face, a part of the surface that sharp edges bound.
+  /// With `cap_of_minimum` or `cap_of_maximum` the face has no other loop; where the loop turns, the face itself becomes the cap of the
+  /// extremum in its middle, with four corners there. Lines have no vertex in common.
+  struct Sharp_curve {
+    Surface_point face; ///< a point of the face
+    Surface_point at;   ///< the loop of the face that is nearest to it
+    Sharp_curve_kind kind = Sharp_curve_kind::maximum;
+    double feature_angle = 45; ///< degrees
+  };
+  std::vector<Sharp_curve> curves{};
   /// Boundary loops are minima or maxima as in the design before, else as `Suggest` makes them with this axis.
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
   bool collapse_thin = false; ///< see `Suggest`

@@ -19,6 +19,7 @@ struct Designed_field {
   /// The vertices as `Harmonic_field::elimination_order()` gives them, or none. The charts' systems take it over.
   std::vector<int> elimination_order = {};
   std::map<int, double> extremal_values = {}; ///< of the extrema whose value is not 0 (minima) or 1 (maxima)
+  std::map<int, double> curve_values = {}; ///< given at further vertices, of curves on which the field is constant
 };
 
 /// The Reeb atlas of a field: the surface cut along its critical contours and its caps.
@@ -52,7 +53,7 @@ Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_
                                 int first_edge = 0);
 
 /// Fills in `field.values` by a field on this surface that keeps its factorization; its constraints are replaced: harmonic, with
-/// `extremal_values`, else 0 at minima and 1 at maxima. Fails with `solver_failure`.
+/// `extremal_values`, else 0 at minima and 1 at maxima, and with `curve_values`. Fails with `solver_failure`.
 Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmonic, Designed_field& field);
 
 } // namespace Reeb_quadrangulation

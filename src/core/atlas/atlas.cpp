@@ -66,13 +66,13 @@ void sort_faces(const Embedding& embedding, std::vector<int>& faces) {
   }
 }
 
-// The edges of a walk that begin at a half- or quarter-saddle.
-std::vector<int> fractional_saddles(const Contour_network& network, const Walk& walk) {
+// The edges of a walk that begin at a half- or quarter-saddle, or at a corner.
+std::vector<int> corners_of(const Contour_network& network, const Walk& walk) {
   std::vector<int> visits;
   for (std::size_t i = 0; i < walk.edges.size(); ++i) {
     const Contour_edge& edge = network.edges[walk.edges[i].edge];
     const Node_kind kind = network.nodes[walk.edges[i].forward ? edge.from : edge.to].kind;
-    if (kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle) visits.push_back(int(i));
+    if (kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle || kind == Node_kind::corner) visits.push_back(int(i));
   }
   return visits;
 }
@@ -251,7 +251,7 @@ private:
       return {};
     }
     if (chi == 1 && walks.size() == 1 &&
-        (extrema.size() == 1 || (extrema.empty() && fractional_saddles(m_network, walks[0]).size() == 4))) {
+        (extrema.size() == 1 || (extrema.empty() && corners_of(m_network, walks[0]).size() == 4))) {
       m_chart.kind = Chart_kind::disc;
       m_chart.extremum = extrema.empty() ? -1 : extrema[0];
       return {};
@@ -262,12 +262,13 @@ private:
   }
 
   // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:
-  // it is split in the middle. Splitting adds no new such edge, since the new vertex is inside.
+  // it is split in the middle. In a region, which a field is designed on, so is one between two walks of one side. Splitting adds no new such edge, since the new vertex is inside.
   void split_chords() {
     Triangle_surface& mesh = m_chart.mesh;
-    std::vector<signed char> walk_of(mesh.number_of_vertices(), -1);
+    std::vector<int> walk_of(mesh.number_of_vertices(), -1);
     for (std::size_t w = 0; w < m_chart.walks.size(); ++w)
-      for (int v : m_chart.walks[w].vertices) walk_of[v] = static_cast<signed char>(w);
+      for (int v : m_chart.walks[w].vertices)
+        walk_of[v] = m_any_topology ? int(m_chart.walks[w].side) : int(w);
     // Also over the new halfedges: two splits may have moved both sides of an edge to the end.
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       if (mesh.opposite[h] < h) continue; // the border, or seen from the other side
@@ -520,7 +521,7 @@ Result<Chart> cut_region(const Embedding& embedding, const Contour_network& netw
 
 std::vector<int> rectangle_corners(const Contour_network& network, const Chart& chart) {
   if (chart.kind != Chart_kind::disc) return {};
-  std::vector<int> corners = fractional_saddles(network, chart.walks[0]);
+  std::vector<int> corners = corners_of(network, chart.walks[0]);
   return corners.size() == 4 ? corners : std::vector<int>();
 }
 

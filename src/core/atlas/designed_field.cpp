@@ -17,6 +17,8 @@ Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmon
           harmonic.set_constraint(v, value != field.extremal_values.end() ? value->second : is_maximum);
       if (!set) return set;
     }
+  for (const auto& [v, value] : field.curve_values)
+    if (Result<void> set = harmonic.set_constraint(v, value); !set) return set;
   const std::vector<std::vector<int>> loops = boundary_loops(surface);
   for (std::size_t i = 0; i < loops.size(); ++i)
     for (int h : loops[i])

@@ -233,6 +233,10 @@ int Draft::vertex_at(const Surface_point& at) const {
   });
 }
 
+int Draft::face_at(const Point& point) const {
+  return m_projector->closest(point).face;
+}
+
 int Draft::inner_vertex_at(const Surface_point& at) const {
   const auto is_inner = [&](int v) {
     return m_surface.outgoing[v] >= 0 && !m_surface.is_boundary(m_surface.outgoing[v]);

@@ -110,6 +110,7 @@ public:
   /// The same where a new extremum may be: without a hint, the nearest vertex that is not on the boundary.
   int inner_vertex_at(const Surface_point& point) const;
   int chart_at(const Surface_point& point) const;
+  int face_at(const Point& point) const; ///< the nearest face of the surface
   /// The nearest point of the surface, in the chart that contains it, or in the one given.
   Chart_point chart_point_at(const Point& point, int chart = -1) const;
   int chart_of_vertex(int vertex) const;     ///< -1 on a contour

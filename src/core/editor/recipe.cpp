@@ -28,6 +28,12 @@ template <class F> void fields(F& f, Set_extrema::Extremum& e) {
   f("maximum", e.is_maximum);
   f.optional("value", e.value);
 }
+template <class F> void fields(F& f, Set_extrema::Sharp_curve& c) {
+  f("face", c.face);
+  f("at", c.at);
+  f.optional("kind", c.kind);
+  f.optional("feature_angle", c.feature_angle);
+}
 template <class F> void fields(F& f, Suggest& e) {
   f.optional("persistence", e.persistence);
   f.optional("axis", e.axis);
@@ -35,6 +41,7 @@ template <class F> void fields(F& f, Suggest& e) {
 }
 template <class F> void fields(F& f, Set_extrema& e) {
   f("extrema", e.extrema);
+  f.optional("curves", e.curves);
   f.optional("axis", e.axis);
   f.optional("collapse_thin", e.collapse_thin);
 }
@@ -194,6 +201,9 @@ template <> struct Names<Edit_scope> { static constexpr const char* of[] = {"cha
 template <> struct Names<Enforcement> { static constexpr const char* of[] = {"contour", "field"}; };
 template <> struct Names<Pole_kind> { static constexpr const char* of[] = {"whole", "half", "quarter"}; };
 template <> struct Names<Saddle_kind> { static constexpr const char* of[] = {"half", "quarter"}; };
+template <> struct Names<Sharp_curve_kind> {
+  static constexpr const char* of[] = {"minimum", "maximum", "cap_of_minimum", "cap_of_maximum"};
+};
 template <> struct Names<Weight_kind> {
   static constexpr const char* of[] = {"cotangent", "clamped_cotangent", "uniform"};
 };

@@ -143,7 +143,11 @@ Result<void> apply_edit(Draft& draft, const Set_extrema& edit) {
   }
   Suggestion_options options;
   options.axis = edit.axis;
-  const Result<void> designed = design_surface(draft, std::move(extrema), options);
+  Result<std::vector<bool>> kinds = boundary_kinds(draft, options);
+  if (!kinds) return kinds.error();
+  const Result<void> designed = edit.curves.empty()
+                                    ? design_surface(draft, std::move(extrema), *kinds)
+                                    : design_on_curves(draft, std::move(extrema), edit.curves, *kinds);
   return designed && edit.collapse_thin ? collapse_thin_charts(draft) : designed;
 }
 

@@ -58,6 +58,12 @@ Result<Design> with_texture(const Draft& draft, const Fit_texture& edit);
 Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
                              double strength);
 
+/// Designs the whole surface anew with these extrema, and with the field constant on curves, which become contours as they are. Minima
+/// and maxima of the caps of curves are added. Whether boundary loops are maxima: an entry a loop.
+Result<void> design_on_curves(Draft& draft, std::vector<Design_extremum> extrema,
+                              const std::vector<Set_extrema::Sharp_curve>& curves,
+                              const std::vector<bool>& boundary_is_maximum);
+
 /// The order in which designs keep their extrema; no two share a vertex.
 void sort_by_vertex(std::vector<Design_extremum>& extrema);
 
