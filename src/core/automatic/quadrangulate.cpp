@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
+#include "automatic/search_curves.h"
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
 
@@ -173,6 +174,26 @@ namespace {
 // Designs that are tried: one takes 0.05 to 0.1 s of CPU time on the coarse copy, for 3000 quads.
 constexpr int tries_of_normal = 40, tries_of_best = 160;
 
+// Designs with sharp edges as contours that are tried, on the surface itself.
+constexpr int curves_of_fast = 6, curves_of_normal = 24, curves_of_best = 120;
+
+// Lets the field follow closed lines of sharp edges, where that keeps them better.
+Result<std::vector<Search_step>> search_sharp_curves(const Editor& editor,
+                                                     const Quadrangulation_options& options, Recipe& recipe,
+                                                     Observer* observer) {
+  if (!options.keep_features || !options.extrema.empty()) return std::vector<Search_step>();
+  Search_options search;
+  search.tries = options.effort == Effort::fast     ? curves_of_fast
+                 : options.effort == Effort::normal ? curves_of_normal
+                                                    : curves_of_best;
+  search.weights = options.energy;
+  Result<internal::Searched_curves> found =
+      internal::search_curves(editor, recipe.edits[0], options.features.feature_angle, search, observer);
+  if (!found) return found.error();
+  if (found->edit) recipe.edits[0] = std::move(*found->edit);
+  return std::move(found->steps);
+}
+
 // Replaces the recipe's suggestion by better extrema, if some are found.
 Result<std::vector<Search_step>> search(const Editor& editor, const Quadrangulation_options& options,
                                         Recipe& recipe, Observer* observer) {
@@ -246,6 +267,9 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
   const Edit suggestion = recipe->edits[0];
   Result<std::vector<Search_step>> steps = search(*editor, options, *recipe, &recorder);
   if (!steps) return steps.error();
+  const Result<std::vector<Search_step>> curves = search_sharp_curves(*editor, options, *recipe, &recorder);
+  if (!curves) return curves.error();
+  steps->insert(steps->end(), curves->begin(), curves->end());
   Result<Made> made = make_or_fall_back(*editor, *recipe, suggestion, *steps, options, recorder);
   if (!made) return made.error();
   const int genus = (2 - euler_characteristic(surface) - int(boundary_loops(surface).size())) / 2;

@@ -214,7 +214,7 @@ private:
     for (const Curve& curve : m_curves) add_contour(curve);
   }
 
-  // From node to node. The face is on the left: the upper side of a cap of a maximum; other curves turn as it needs.
+  // From node to node. The face is on the left, which is the upper side of a cap of a maximum.
   void add_contour(const Curve& curve) {
     Contour_network& network = m_layout.network;
     const std::vector<std::pair<int, Node_kind>> nodes = nodes_of(curve);
