@@ -308,6 +308,32 @@ TEST_CASE("vertices that have come together part again, though their quads have 
   CHECK(*least > *most / 250);
 }
 
+TEST_CASE(
+    "quads below the wanted quality are raised last, without new defects, and good ones are left alone") {
+  const Triangle_surface input = tiny::torus(60, 30);
+  const Surface_projector projector(input);
+  Relax_options unpolished;
+  unpolished.iterations = 0;
+  unpolished.wanted = 0;
+  Relax_options polished = unpolished;
+  polished.wanted = 0.7;
+  Quad_mesh mesh = quads_of(tiny::torus(24, 12));
+  const Quad_mesh good = mesh;
+  const int v = mesh.quads[30][2];
+  mesh.points[v] += 0.4 * (mesh.points[mesh.quads[30][0]] - mesh.points[v]); // into the corner across
+  Quad_mesh raised = mesh;
+  const auto less = relax_quads(mesh, projector, {}, unpolished);
+  const auto more = relax_quads(raised, projector, {}, polished);
+  REQUIRE((bool(less) && bool(more)));
+  CHECK(less->worst_after < 0.5);
+  CHECK(more->worst_after > 0.7);
+  CHECK(more->intersections_after == 0);
+  Quad_mesh untouched = good, same = good;
+  REQUIRE(relax_quads(untouched, projector, {}, unpolished));
+  REQUIRE(relax_quads(same, projector, {}, polished));
+  CHECK(same.points == untouched.points);
+}
+
 TEST_CASE("a mesh that is good already keeps its quality") {
   const Triangle_surface input = tiny::torus(60, 30);
   const Surface_projector projector(input);
@@ -331,6 +357,9 @@ TEST_CASE("what cannot be relaxed is refused with a reason, and the mesh is unto
   CHECK(relax_quads(mesh, projector, places).error().index == 0);
   Relax_options options;
   options.attempts = -1;
+  CHECK(relax_quads(mesh, projector, {}, options).error().code == Error_code::impossible_request);
+  options = {};
+  options.wanted = 1.5;
   CHECK(relax_quads(mesh, projector, {}, options).error().code == Error_code::impossible_request);
   options = {};
   options.threads = 0;

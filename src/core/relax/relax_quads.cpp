@@ -157,6 +157,8 @@ Result<void> check(const Quad_mesh& mesh, const Vertex_constraints& constraints,
     return make_error(Error_code::impossible_request, "the number of iterations is negative");
   if (options.attempts < 0)
     return make_error(Error_code::impossible_request, "the number of attempts is negative");
+  if (!(options.wanted >= 0 && options.wanted <= 1))
+    return make_error(Error_code::impossible_request, "the wanted scaled Jacobian is not between 0 and 1");
   if (options.threads < 1)
     return make_error(Error_code::impossible_request, "the number of threads is not positive");
   return check_constraints(mesh, constraints);
@@ -251,7 +253,10 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& proje
   }
   if (options.untangle) {
     relaxation::untangle(state, 0.2, 20, nullptr, observer);
-    report.intersections_after = relaxation::repair(state, placed, options.attempts, observer);
+    std::vector<int> defects = relaxation::repair(state, placed, options.attempts, observer);
+    if (options.wanted > 0) defects = relaxation::polish(state, options.wanted, defects, observer);
+    if (std::any_of(defects.begin(), defects.end(), [](int n) { return n > 0; }))
+      report.intersections_after = int(relaxation::intersecting_quads(mesh).size());
   }
   if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
 

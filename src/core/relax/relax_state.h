@@ -101,8 +101,8 @@ void bind_to_curves(State& state, const Vertex_constraints& constraints);
 
 /// What a sweep aims at.
 struct Regime {
-  double evenness = 0.1;     ///< between the corners of rectangles (0) and the average of the neighbours (1)
-  double favour_small = 1.5; ///< a quad of size d counts d^-favour_small
+  double evenness = 0.05;    ///< between the corners of rectangles (0) and the average of the neighbours (1)
+  double favour_small = 0.5; ///< a quad of size d counts d^-favour_small
   double memory = 0.5;       ///< between the quads' present lengths (0) and those before relaxation (1)
 };
 
@@ -126,8 +126,11 @@ bool quads_meet(const Quad_mesh& mesh, int i, int j);
 /// the surface along its normal, in units of the quads' size around it; 0 keeps vertices on the surface.
 void separate(State& state, double offset, int rounds, Observer* observer);
 /// Relaxes the surroundings of inverted and intersecting quads anew, in at most so many other ways, and keeps what helps. `original`
-/// is where the vertices were at first. Returns the number of pairs of quads that intersect in the end.
-int repair(State& state, const State::Snapshot& original, int attempts, Observer* observer);
+/// is where the vertices were at first. Returns what `count_defects()` then has.
+std::vector<int> repair(State& state, const State::Snapshot& original, int attempts, Observer* observer);
+/// Raises the quality of the quads below `wanted`, as far as no quad gets more defects than it has. Returns the defects in the
+/// end. \pre `defects` are the state's, by `count_defects()`.
+std::vector<int> polish(State& state, double wanted, const std::vector<int>& defects, Observer* observer);
 
 } // namespace relaxation
 } // namespace Reeb_quadrangulation

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "relax/defects.h"
 #include "relax/relax_state.h"
 
 #include <algorithm>
@@ -9,74 +10,6 @@ namespace Reeb_quadrangulation {
 namespace relaxation {
 
 namespace {
-
-// How often each quad is inverted or meets another one.
-std::vector<int> count_defects(const State& state) {
-  std::vector<int> defects(state.mesh.quads.size(), 0);
-  for (int q = 0; q < int(defects.size()); ++q) {
-    const Quad& v = state.mesh.quads[q];
-    const std::vector<Point>& p = state.mesh.points;
-    defects[q] = scaled_jacobian(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) < 0.01;
-  }
-  for (const auto& [i, j] : intersecting_quads(state.mesh)) {
-    ++defects[i];
-    ++defects[j];
-  }
-  return defects;
-}
-
-// The vertices within `rings` quads of a defect, numbered by connected region; -1 elsewhere.
-struct Regions {
-  std::vector<int> of_vertex;
-  int count = 0;
-
-  Regions(const State& state, const std::vector<int>& defects, int rings)
-      : of_vertex(state.number_of_vertices(), -1) {
-    std::vector<char> mask(state.number_of_vertices(), 0);
-    for (std::size_t q = 0; q < defects.size(); ++q)
-      if (defects[q])
-        for (int v : state.mesh.quads[q]) mask[v] = 1;
-    for (int ring = 0; ring < rings; ++ring) {
-      const std::vector<char> inner = mask;
-      for (const Quad& q : state.mesh.quads)
-        if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
-          for (int v : q) mask[v] = 1;
-    }
-    std::vector<int> stack;
-    for (int start = 0; start < state.number_of_vertices(); ++start) {
-      if (!mask[start] || of_vertex[start] >= 0) continue;
-      of_vertex[start] = count;
-      stack.push_back(start);
-      while (!stack.empty()) {
-        const int v = stack.back();
-        stack.pop_back();
-        for (int k = state.first[v]; k < state.first[v + 1]; ++k)
-          for (int w : state.mesh.quads[state.corners[k] / 4])
-            if (mask[w] && of_vertex[w] < 0) {
-              of_vertex[w] = count;
-              stack.push_back(w);
-            }
-      }
-      ++count;
-    }
-  }
-
-  std::vector<char> mask() const {
-    std::vector<char> result(of_vertex.size());
-    for (std::size_t v = 0; v < result.size(); ++v) result[v] = of_vertex[v] >= 0;
-    return result;
-  }
-
-  std::vector<int> sum(const State& state, const std::vector<int>& defects) const {
-    std::vector<int> result(count, 0);
-    for (std::size_t q = 0; q < defects.size(); ++q) {
-      int region = -1;
-      for (int v : state.mesh.quads[q]) region = std::max(region, of_vertex[v]);
-      if (region >= 0) result[region] += defects[q];
-    }
-    return result;
-  }
-};
 
 // One way to mend the regions: sweeps under a regime and untangling; or averaging in space; or moving single vertices apart.
 struct Attempt {
@@ -178,7 +111,7 @@ bool take_back(State& state, const Regions& regions, const State::Snapshot& snap
 
 } // namespace
 
-int repair(State& state, const State::Snapshot& original, int attempts, Observer* observer) {
+std::vector<int> repair(State& state, const State::Snapshot& original, int attempts, Observer* observer) {
   std::vector<int> defects = count_defects(state);
   int made = 0;
   for (const Attempt& attempt : all_attempts()) {
@@ -194,7 +127,7 @@ int repair(State& state, const State::Snapshot& original, int attempts, Observer
     const std::vector<int> now = count_defects(state);
     defects = take_back(state, regions, snapshot, defects, now) ? count_defects(state) : now;
   }
-  return int(intersecting_quads(state.mesh).size());
+  return defects;
 }
 
 } // namespace relaxation

@@ -55,6 +55,12 @@ bool improve(State& state, int v) {
 
 void untangle(State& state, double wanted, int rounds, const std::vector<char>* mask, Observer* observer) {
   const int nq = int(state.mesh.quads.size());
+  // A vertex that did not get better is not tried again before something around it has moved.
+  std::vector<char> at_rest(state.number_of_vertices(), 0);
+  const auto wake = [&](int v) {
+    for (int k = state.first[v]; k < state.first[v + 1]; ++k)
+      for (int w : state.mesh.quads[state.corners[k] / 4]) at_rest[w] = 0;
+  };
   for (int round = 0; round < rounds; ++round) {
     if (observer && observer->cancelled()) return;
     std::vector<char> chosen(state.number_of_vertices(), 0);
@@ -73,8 +79,15 @@ void untangle(State& state, double wanted, int rounds, const std::vector<char>* 
           for (int v : q) chosen[v] = 1;
     }
     bool improved = false;
-    for (int v = 0; v < state.number_of_vertices(); ++v)
-      if (chosen[v] && (!mask || (*mask)[v])) improved = improve(state, v) || improved;
+    for (int v = 0; v < state.number_of_vertices(); ++v) {
+      if (!chosen[v] || at_rest[v] || (mask && !(*mask)[v])) continue;
+      if (improve(state, v)) {
+        improved = true;
+        wake(v);
+      } else {
+        at_rest[v] = 1;
+      }
+    }
     if (!improved && round >= 9) return;
   }
 }
