@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contours and saddles that move where a plane alone does not take them: others give way.
+#include "edits/redraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+// The other loops at a loop's saddle, if there are only loops.
+std::vector<int> siblings(const Draft& draft, int e) {
+  const Contour_edge& edge = draft.network.edges[e];
+  std::vector<int> others;
+  if (edge.from != edge.to || draft.network.nodes[edge.from].kind != Node_kind::saddle) return others;
+  for (int other : draft.edges_at(edge.from)) {
+    if (draft.network.edges[other].from != draft.network.edges[other].to) return {};
+    if (other != e && (others.empty() || others.back() != other)) others.push_back(other);
+  }
+  return others;
+}
+
+// The free loops around the charts beside some edges that are not locked.
+std::vector<int> free_neighbours(const Draft& draft, const std::vector<int>& edges) {
+  std::set<int> found;
+  for (int e : edges)
+    for (int c : draft.atlas().charts_of_edge[e])
+      for (const Walk& walk : draft.chart(c).walks)
+        for (const Walk_edge& passed : walk.edges) {
+          const std::array<int, 2>& sides = draft.atlas().charts_of_edge[passed.edge];
+          const bool is_inner = sides[0] >= 0 && sides[1] >= 0 && sides[0] != sides[1];
+          if (is_inner && draft.is_free_loop(passed.edge)) found.insert(passed.edge);
+        }
+  for (int e : edges) found.erase(e);
+  return {found.begin(), found.end()};
+}
+
+// How the area of a chart is distributed over its level lines: its vertices with their share of the area, from the low side up.
+struct Level_area {
+  std::vector<int> vertices; // of the chart
+  std::vector<double> below; // the area below each, as a share
+};
+
+Result<Level_area> level_area(Draft& draft, int c) {
+  const Result<std::vector<double>> level = level_field(draft, c);
+  if (!level) return level.error();
+  const Triangle_surface& mesh = draft.chart(c).mesh;
+  std::vector<double> weight(level->size(), 0);
+  for (int f = 0; f < mesh.number_of_faces(); ++f)
+    for (int v : mesh.triangles[f]) weight[v] += area(mesh, f) / 3;
+  Level_area result;
+  result.vertices.resize(level->size());
+  std::iota(result.vertices.begin(), result.vertices.end(), 0);
+  std::sort(result.vertices.begin(), result.vertices.end(),
+            [&](int a, int b) { return (*level)[a] != (*level)[b] ? (*level)[a] < (*level)[b] : a < b; });
+  const double all = std::accumulate(weight.begin(), weight.end(), 0.0);
+  double sum = 0;
+  for (int v : result.vertices) {
+    sum += weight[v];
+    result.below.push_back(sum / all);
+  }
+  return result;
+}
+
+double share_below(const Draft& draft, int e) { // of the area of the two charts beside a contour
+  const std::array<int, 2> sides = draft.atlas().charts_of_edge[e];
+  const double above = area(draft.chart(sides[0]).mesh), below = area(draft.chart(sides[1]).mesh);
+  return below / (above + below);
+}
+
+// A free loop becomes the level line of its two charts below which they have a share of their area.
+Result<void> level_again(Draft& draft, int e, double below) {
+  const std::array<int, 2> sides = draft.atlas().charts_of_edge[e];
+  int inside = -1; // a vertex of the surface in one of the charts
+  for (int c : sides)
+    for (int v : draft.chart(c).vertex_origin)
+      if (inside < 0 && v >= 0 && v < draft.surface().number_of_vertices() && draft.chart_of_vertex(v) == c)
+        inside = v;
+  if (inside < 0) return refuse("there is no room between the contours for another course");
+  const int old = draft.replaced.count(e) ? draft.replaced[e] : e;
+  remove_edge(draft.network, e);
+  if (Result<void> cut = draft.cut(); !cut) return cut;
+  const int c = draft.chart_of_vertex(inside);
+  const Result<Level_area> areas = level_area(draft, c);
+  if (!areas) return areas.error();
+  int seed = -1;
+  double least = 2;
+  const Chart& chart = draft.chart(c);
+  for (std::size_t i = 0; i < areas->vertices.size(); ++i) {
+    const int v = areas->vertices[i], o = chart.vertex_origin[v];
+    if (o < 0 || o >= draft.surface().number_of_vertices() || v == chart.extremum) continue;
+    const double off = std::abs(areas->below[i] - below);
+    if (off < least && draft.chart_of_vertex(o) == c) {
+      least = off;
+      seed = o;
+    }
+  }
+  if (seed < 0) return refuse("there is no room between the contours for another course");
+  const Result<int> line = draw_level_line(draft, c, seed);
+  if (!line) return line.error();
+  draft.replaced[*line] = old;
+  return draft.cut();
+}
+
+// The unit normal of the plane that a loop goes around best.
+Eigen::Vector3d loop_normal(const Draft& draft, const Contour_edge& loop) {
+  const Point centre = draft.position(loop.vertices[0]);
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < loop.vertices.size(); ++i)
+    normal +=
+        (draft.position(loop.vertices[i - 1]) - centre).cross(draft.position(loop.vertices[i]) - centre);
+  return normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : Eigen::Vector3d(0, 0, 1);
+}
+
+// Free loops that were pushed out of their place take a level line of what is left to them, if they can.
+void level_pushed(Draft& draft, const std::vector<std::pair<int, double>>& pushed) {
+  for (const auto& [e, below] : pushed)
+    for (std::size_t fresh = 0; fresh < draft.network.edges.size(); ++fresh) {
+      const auto found = draft.replaced.find(int(fresh));
+      if (found == draft.replaced.end() || found->second != e ||
+          draft.network.is_removed(draft.network.edges[fresh]))
+        continue;
+      Draft trial = draft;
+      if (level_again(trial, int(fresh), below) && check_caps(trial)) draft.take(std::move(trial));
+      break;
+    }
+}
+
+struct Way {
+  Draft draft;
+  double share = 0;
+  int obstacle = -1;
+};
+
+// Draws `e` to a course, then the others where they were, as far as that is left to them.
+Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, const Course& course) {
+  Way way{draft};
+  std::vector<int> all{e};
+  all.insert(all.end(), others.begin(), others.end());
+  std::map<int, Course> old;
+  std::map<int, double> below;
+  for (int other : others) {
+    old[other] = old_course(draft, other);
+    if (draft.is_free_loop(other)) below[other] = share_below(draft, other);
+  }
+  Result<Redrawing> redrawing = Redrawing::of(way.draft, all);
+  if (!redrawing) return redrawing.error();
+  const Result<double> share = redrawing->draw(e, course, true);
+  if (!share) return share.error();
+  way.share = *share;
+  way.obstacle = redrawing->obstacle();
+  std::vector<std::pair<int, double>> pushed;
+  for (int other : others) {
+    const Result<double> kept = redrawing->draw(other, old[other]);
+    if (!kept) return kept.error();
+    const int origin = draft.replaced.count(other) ? draft.replaced.at(other) : other;
+    if (below.count(other) && *kept < 0.98) pushed.push_back({origin, below[other]});
+  }
+  if (Result<void> done = redrawing->finish(); !done) return done.error();
+  level_pushed(way.draft, pushed);
+  return way;
+}
+
+} // namespace
+
+Result<void> move_towards_plane(Draft& draft, int e, const Point& point, const Eigen::Vector3d& normal) {
+  constexpr double follows = 0.95, least = 0.3; // of its length
+  const Course course = plane_course(point, normal);
+  std::vector<int> loops = siblings(draft, e), with_loops{e}, both;
+  with_loops.insert(with_loops.end(), loops.begin(), loops.end());
+  const std::vector<int> free = free_neighbours(draft, {e});
+  both = loops;
+  for (int f : free_neighbours(draft, with_loops)) both.push_back(f);
+  std::set<std::vector<int>> tried;
+  std::optional<Way> best;
+  Result<void> failure;
+  for (const std::vector<int>& others : {std::vector<int>(), free, loops, both}) {
+    if (!tried.insert(others).second) continue;
+    Result<Way> way = redrawn(draft, e, others, course);
+    if (!way) {
+      if (failure) failure = way.error();
+      continue;
+    }
+    if (best && way->share < best->share + 0.05) continue;
+    best.emplace(std::move(*way));
+    if (best->share >= follows) break;
+  }
+  if (!best) return failure;
+  if (best->share < least)
+    return refuse("the plane leaves the charts beside the contour", "another contour is in the way",
+                  Element_kind::contour, best->obstacle);
+  draft.take(std::move(best->draft));
+  return {};
+}
+
+Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal) {
+  const std::vector<int> ends = draft.edges_at(node);
+  std::vector<int> edges;
+  for (int e : ends) {
+    if (draft.network.edges[e].from != draft.network.edges[e].to)
+      return refuse("the saddle shares its contour", {}, Element_kind::node, node);
+    if (edges.empty() || edges.back() != e) edges.push_back(e);
+  }
+  std::vector<Eigen::Vector3d> normals;
+  for (int e : edges)
+    normals.push_back(normal.isZero(0) ? loop_normal(draft, draft.network.edges[e]) : normal);
+  Result<Redrawing> redrawing = Redrawing::of(draft, edges);
+  if (!redrawing) return redrawing.error();
+  const Contour_node old = draft.network.nodes[node];
+  const int fresh = old.vertex == vertex ? node : add_node(draft.network, vertex, old.kind);
+  draft.network.nodes[fresh].multiplicity = old.multiplicity;
+  redrawing->move_node(node, fresh);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Course course = plane_course(draft.surface().points[vertex], normals[i]);
+    if (const Result<double> drawn = redrawing->draw(edges[i], course, true); !drawn) return drawn.error();
+  }
+  return redrawing->finish();
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
