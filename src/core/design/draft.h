@@ -76,6 +76,7 @@ public:
   std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
   int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
+  double followed = 1;                        ///< see `Edit_report::followed`
 
   /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
   Result<void> cut();

@@ -236,6 +236,11 @@ Result<void> move_part(Draft& draft, int e, const Move_contour& edit) {
   return replace_edge(draft, e, std::move(*path));
 }
 
+bool meets_surface(const Draft& draft, const Cutting_plane& plane) {
+  const Result<std::vector<char>> above = classify_vertices(draft.surface(), plane);
+  return above && std::count(above->begin(), above->end(), char(1)) % std::ptrdiff_t(above->size()) != 0;
+}
+
 // The plane itself, or what comes near it.
 Result<void> move_edge(Draft& draft, int e, const Move_contour& edit) {
   Draft trial = draft;
@@ -248,6 +253,7 @@ Result<void> move_edge(Draft& draft, int e, const Move_contour& edit) {
   }
   Point point = edit.plane_point;
   Eigen::Vector3d normal = edit.plane_normal;
+  if (is_free && !meets_surface(draft, Cutting_plane::at(point, normal))) return exact;
   if (!is_free) { // through both ends
     const Contour_edge& old = draft.network.edges[e];
     point = draft.position(old.vertices.front());

@@ -23,8 +23,8 @@ std::vector<int> siblings(const Draft& draft, int e) {
   return others;
 }
 
-// The free loops around the charts beside some edges that are not locked.
-std::vector<int> free_neighbours(const Draft& draft, const std::vector<int>& edges) {
+// The loops around the charts beside some edges: free ones, or also those at saddles.
+std::vector<int> neighbours(const Draft& draft, const std::vector<int>& edges, bool at_saddles) {
   std::set<int> found;
   for (int e : edges)
     for (int c : draft.atlas().charts_of_edge[e])
@@ -32,7 +32,11 @@ std::vector<int> free_neighbours(const Draft& draft, const std::vector<int>& edg
         for (const Walk_edge& passed : walk.edges) {
           const std::array<int, 2>& sides = draft.atlas().charts_of_edge[passed.edge];
           const bool is_inner = sides[0] >= 0 && sides[1] >= 0 && sides[0] != sides[1];
-          if (is_inner && draft.is_free_loop(passed.edge)) found.insert(passed.edge);
+          const Contour_edge& edge = draft.network.edges[passed.edge];
+          const bool is_loop =
+              edge.from == edge.to && draft.network.nodes[edge.from].kind == Node_kind::saddle;
+          if (is_inner && (draft.is_free_loop(passed.edge) || (at_saddles && is_loop)))
+            found.insert(passed.edge);
         }
   for (int e : edges) found.erase(e);
   return {found.begin(), found.end()};
@@ -129,6 +133,9 @@ void level_pushed(Draft& draft, const std::vector<std::pair<int, double>>& pushe
     }
 }
 
+// A contour that follows less of its plane than this is not what was asked for.
+constexpr double least_share = 0.2;
+
 struct Way {
   Draft draft;
   double share = 0;
@@ -167,17 +174,17 @@ Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, c
 } // namespace
 
 Result<void> move_towards_plane(Draft& draft, int e, const Point& point, const Eigen::Vector3d& normal) {
-  constexpr double follows = 0.95, least = 0.3; // of its length
+  constexpr double follows = 0.95; // of its length
   const Course course = plane_course(point, normal);
-  std::vector<int> loops = siblings(draft, e), with_loops{e}, both;
+  const std::vector<int> loops = siblings(draft, e);
+  std::vector<int> with_loops{e}, both = loops;
   with_loops.insert(with_loops.end(), loops.begin(), loops.end());
-  const std::vector<int> free = free_neighbours(draft, {e});
-  both = loops;
-  for (int f : free_neighbours(draft, with_loops)) both.push_back(f);
+  for (int f : neighbours(draft, with_loops, false)) both.push_back(f);
   std::set<std::vector<int>> tried;
   std::optional<Way> best;
   Result<void> failure;
-  for (const std::vector<int>& others : {std::vector<int>(), free, loops, both}) {
+  for (const std::vector<int>& others :
+       {std::vector<int>(), neighbours(draft, {e}, false), loops, both, neighbours(draft, {e}, true)}) {
     if (!tried.insert(others).second) continue;
     Result<Way> way = redrawn(draft, e, others, course);
     if (!way) {
@@ -189,10 +196,11 @@ Result<void> move_towards_plane(Draft& draft, int e, const Point& point, const E
     if (best->share >= follows) break;
   }
   if (!best) return failure;
-  if (best->share < least)
+  if (best->share < least_share)
     return refuse("the plane leaves the charts beside the contour", "another contour is in the way",
                   Element_kind::contour, best->obstacle);
   draft.take(std::move(best->draft));
+  draft.followed = best->share;
   return {};
 }
 
@@ -213,10 +221,17 @@ Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Ei
   const int fresh = old.vertex == vertex ? node : add_node(draft.network, vertex, old.kind);
   draft.network.nodes[fresh].multiplicity = old.multiplicity;
   redrawing->move_node(node, fresh);
+  double followed = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Course course = plane_course(draft.surface().points[vertex], normals[i]);
-    if (const Result<double> drawn = redrawing->draw(edges[i], course, true); !drawn) return drawn.error();
+    const Result<double> drawn = redrawing->draw(edges[i], course, true);
+    if (!drawn) return drawn.error();
+    followed += *drawn / double(edges.size());
   }
+  if (!normal.isZero(0) && followed < least_share)
+    return refuse("the plane leaves the charts beside the contour", "another contour is in the way",
+                  Element_kind::contour, redrawing->obstacle());
+  draft.followed = followed;
   return redrawing->finish();
 }
 

@@ -240,7 +240,8 @@ void Redrawing::keep_off(int edge, Asked& asked) const {
   for (std::size_t v = asked.region.walls.size(); v < origin.size(); ++v) {
     const int o = origin[v], c = o >= 0 && o < int(m_chart_of_vertex.size()) ? m_chart_of_vertex[o] : -1;
     if (c < 0 || of_chart[c] == 0 || !far_side.count(c)) continue;
-    const double room = m_draft.chart(c).kind == Chart_kind::disc ? 0.4 : 0.2;
+    const bool is_disc = m_draft.chart(c).kind == Chart_kind::disc;
+    const double room = is_disc ? 0.35 : std::clamp(m_draft.edge_length / m_height.at(c), 0.08, 0.25);
     const double level = far_side[c] == 1 ? m_level[o] : 1 - m_level[o];
     const double beyond = (level - (1 - room)) * m_height.at(c);
     double& wish = asked.sides.wish[v];

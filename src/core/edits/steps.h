@@ -80,6 +80,9 @@ std::array<double, 2> value_range(const Draft& draft, const Chart& chart);
 /// surface: the new contours are level lines near them.
 Result<void> enforce_by_field(Draft& draft, int old, const Draft& trial);
 
+/// Splits a saddle of any multiplicity, also one that shares its contour with others.
+Result<void> split_saddle_by_sectors(Draft& draft, int node, const Split_saddle& edit);
+
 /// Moves a contour edge towards a plane where the plane itself cannot be the contour: it follows the plane as far as its charts allow; if
 /// that is not far, other loops of its saddle and free loops beside its charts give way. Refused if it would hardly follow the plane,
 /// with the contour that is in the way.
