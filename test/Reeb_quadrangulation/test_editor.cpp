@@ -194,11 +194,9 @@ TEST_CASE("a saddle moves with all its contours to the plane that touches the su
   }
 }
 
-TEST_CASE("a saddle stays where not all of its contours could follow it") {
+TEST_CASE("a saddle stays in its charts, and locked charts stay as they are") {
   Editor editor = torus_session();
   const Surface_point saddle = at(-0.6, 0, 0);
-  refused(editor, Move_saddle{saddle, saddle, {0, 0, 1}},
-          "the plane meets the surface in fewer curves than the saddle has contours");
   refused(editor, Move_saddle{saddle, at(-1.4, 0, 0)}, "the saddle would leave its charts");
   refused(editor, Move_saddle{saddle, at(1.3, 0, 0.2)}, "the saddle would leave its charts");
   applied(editor, Lock_chart{at(0, 1.4, 0), true});

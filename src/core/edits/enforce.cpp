@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A saddle's loop enforced by the field alone, on the whole surface.
+#include "atlas/region_curve.h"
 #include "edits/steps.h"
 
 #include <CGAL/Reeb_quadrangulation/constrained_field.h>
@@ -60,6 +61,36 @@ Result<Held> held_contours(const Draft& draft) {
   return held;
 }
 
+// The line in a chart where the field on the surface has a value.
+Result<Contour_edge> line_of_value(Draft& draft, int c, double value) {
+  const Chart& chart = draft.chart(c);
+  Open_region region{chart, {}};
+  Region_sides asked;
+  asked.home.assign(chart.vertex_origin.size(), 0);
+  for (const Walk& walk : chart.walks) {
+    region.walls.resize(region.walls.size() + walk.vertices.size());
+    for (int v : walk.vertices) asked.home[v] = static_cast<signed char>(walk.side == Side::low ? -1 : 1);
+  }
+  const std::vector<double>& values = draft.field->values;
+  for (std::size_t v = 0; v < chart.vertex_origin.size(); ++v) {
+    const int o = chart.vertex_origin[v];
+    const bool is_known = o >= 0 && o < int(values.size()) && asked.home[v] == 0;
+    asked.wish.push_back(is_known ? values[o] - value : 1e-9 * asked.home[v]);
+    if (asked.home[v] == 0) asked.home[v] = static_cast<signed char>(asked.wish.back() > 0 ? 1 : -1);
+  }
+  if (chart.extremum >= 0) {
+    asked.home[chart.extremum] = static_cast<signed char>(chart.walks[0].side == Side::low ? 1 : -1);
+    asked.held.push_back(chart.extremum);
+  }
+  const Result<std::vector<signed char>> sides = part_region(region, asked);
+  if (!sides) return sides.error();
+  const Result<Region_curve> curve = curve_between(region, *sides, asked);
+  if (!curve) return curve.error();
+  Result<Contour_edge> line = contour_of_curve(draft.surface(), region, *curve, -1, -1, draft.network);
+  if (line) line->value = value;
+  return line;
+}
+
 // The level line of the new field that has a ring's value nearest to where it was.
 Result<void> draw_ring(Draft& draft, const Ring& ring, const std::vector<Point>& place) {
   const std::vector<double>& values = draft.field->values;
@@ -84,8 +115,10 @@ Result<void> draw_ring(Draft& draft, const Ring& ring, const std::vector<Point>&
     least = off;
   }
   if (seed < 0) return refuse("a ring has no place in the field", {}, Element_kind::contour, ring.edge);
-  const Result<int> line = draw_level_line(draft, draft.chart_of_vertex(seed), seed);
+  Result<Contour_edge> line = line_of_value(draft, draft.chart_of_vertex(seed), ring.value);
   if (!line) return line.error();
+  line->from = line->to = add_node(draft.network, line->vertices.front());
+  draft.network.edges.push_back(std::move(*line));
   if (Result<void> cut = draft.cut(); !cut) return cut;
   return check_caps(draft);
 }
@@ -121,6 +154,9 @@ std::vector<std::vector<int>> joined_ends(const Atlas& atlas, const Contour_netw
 Result<void> enforce_by_field(Draft& draft, int old, const Draft& trial) {
   const Result<Held> held = held_contours(draft);
   if (!held) return held.error();
+  for (int c : draft.atlas().charts_of_edge[old])
+    if (cap_contour(draft, c) == old)
+      return refuse("a cap goes where the field has it", {}, Element_kind::contour, old);
   Result<std::vector<double>> values = values_of(draft);
   if (!values) return values.error();
   Designed_field field = field_of(draft, std::move(*values));

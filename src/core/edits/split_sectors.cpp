@@ -240,7 +240,7 @@ private:
     return m_draft.network.edges[prong.edge].vertices[std::size_t(index)];
   }
 
-  // The first vertex of a prong that is so far from the saddle, but none of its other half; -1 if there is none.
+  // The first vertex of a prong that is so far from the saddle, but none of its other half unless it is the first; -1 if there is none.
   int index_at(const Prong& prong, double distance) const {
     const std::vector<int>& v = m_draft.network.edges[prong.edge].vertices;
     const double all = length_of(prong.edge);
@@ -250,7 +250,7 @@ private:
     for (int k = 1; k + 1 < n; ++k) {
       const int i = prong.at_start ? k : n - 1 - k, previous = prong.at_start ? i - 1 : i + 1;
       along += (m_draft.position(v[std::size_t(i)]) - m_draft.position(v[std::size_t(previous)])).norm();
-      if (along >= 0.48 * all) break;
+      if (best >= 0 && along >= 0.48 * all) break;
       best = i;
       if (along >= std::min(distance, 0.4 * all)) break;
     }
@@ -319,7 +319,7 @@ private:
       if (points && std::find(points->begin(), points->end(), origin) == points->end()) continue;
       double dv = map.v()[i] - map.v()[place.saddle.local];
       dv -= std::round(dv);
-      if (!points && (dv <= 0.8 * place.before.v || dv >= 0.8 * place.after.v)) continue;
+      if (!points && (dv <= 0.9 * place.before.v || dv >= 0.9 * place.after.v)) continue;
       const double x = dv * length, y = (map.u()[i] - u) * profile.total(), d = x * x + y * y;
       if (place.apex >= 0 && d >= least) continue;
       place.apex = int(i);
@@ -463,9 +463,10 @@ Result<void> split_saddle_by_sectors(Draft& draft, int node, const Split_saddle&
     return make_error(Error_code::impossible_request, "half-saddles need a point for each, or none");
   const double size = edit.size > 0 ? edit.size : draft.edge_length;
   Result<void> done;
-  for (double smaller : {1.0, 0.5, 0.25}) { // in narrow charts
+  for (double factor :
+       {1.0, 0.5, 0.25, 2.0, 4.0}) { // smaller in narrow charts, larger where triangles are large
     Draft trial = draft;
-    const Result<void> split = split_all(trial, node, edit.kind, smaller * size, points);
+    const Result<void> split = split_all(trial, node, edit.kind, factor * size, points);
     if (split) {
       draft.take(std::move(trial));
       return {};
