@@ -396,6 +396,7 @@ Result<void> Redrawing::draw_short(int edge) {
 }
 
 Result<void> Redrawing::finish() {
+  m_draft.has_pushed_contours = true;
   if (Result<void> cut = m_draft.cut(); !cut) return cut;
   std::vector<Chart_signature> after;
   for (int e : m_edges)

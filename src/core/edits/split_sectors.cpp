@@ -455,6 +455,7 @@ Result<void> split_all(Draft& draft, int node, Saddle_kind kind, double size,
 } // namespace
 
 Result<void> split_saddle_by_sectors(Draft& draft, int node, const Split_saddle& edit) {
+  draft.has_pushed_contours = true;
   std::vector<int> points;
   for (const Surface_point& p : edit.points) points.push_back(draft.vertex_at(p));
   if (edit.kind == Saddle_kind::quarter && !points.empty())
