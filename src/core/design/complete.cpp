@@ -13,9 +13,6 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-namespace {
-
-// Whether a triangle is turned over in the map, by more than rounding.
 bool folds(const Chart& chart, const Chart_parameterization& map) {
   for (int f = 0; f < chart.mesh.number_of_faces(); ++f) {
     const Triangle& t = chart.mesh.triangles[f];
@@ -27,6 +24,17 @@ bool folds(const Chart& chart, const Chart_parameterization& map) {
   }
   return false;
 }
+
+bool can_be_mapped(Draft& draft) {
+  for (int c = 0; c < int(draft.atlas().charts.size()); ++c) {
+    if (draft.origin(c) >= 0 || draft.chart(c).kind != Chart_kind::annulus) continue;
+    const Result<Chart_parameterization> map = draft.naturally_solved_map(c);
+    if (!map || folds(draft.chart(c), *map)) return false;
+  }
+  return true;
+}
+
+namespace {
 
 class Completion {
 public:

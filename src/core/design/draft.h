@@ -158,6 +158,12 @@ Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const 
 Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
                                     const internal::Lazy_projector& projector, const Design& design);
 
+/// Whether a triangle of a chart is turned over in its map, by more than rounding.
+bool folds(const Chart& chart, const Chart_parameterization& map);
+
+/// Whether the annuli that the draft has new can be mapped: very thin ones fold by rounding.
+bool can_be_mapped(Draft& draft);
+
 /// Joins the saddles on both sides of every annulus that is lower than half a quad, the lowest first, as long as charts result; counts in
 /// `Draft::collapsed_charts`. A quad is as large as the draft's target makes it if its counts are to be chosen anew, else as before. Fails
 /// only as maps and counts do, or with `cancelled`.

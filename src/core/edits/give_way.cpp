@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours and saddles that move where a plane alone does not take them: others give way.
+#include "base/segments.h"
 #include "edits/redraw.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -109,16 +112,6 @@ Result<void> level_again(Draft& draft, int e, double below) {
   return draft.cut();
 }
 
-// The unit normal of the plane that a loop goes around best.
-Eigen::Vector3d loop_normal(const Draft& draft, const Contour_edge& loop) {
-  const Point centre = draft.position(loop.vertices[0]);
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (std::size_t i = 1; i < loop.vertices.size(); ++i)
-    normal +=
-        (draft.position(loop.vertices[i - 1]) - centre).cross(draft.position(loop.vertices[i]) - centre);
-  return normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : Eigen::Vector3d(0, 0, 1);
-}
-
 // Free loops that were pushed out of their place take a level line of what is left to them, if they can.
 void level_pushed(Draft& draft, const std::vector<std::pair<int, double>>& pushed) {
   for (const auto& [e, below] : pushed)
@@ -142,8 +135,12 @@ struct Way {
   int obstacle = -1;
 };
 
-// Draws `e` to a course, then the others where they were, as far as that is left to them.
-Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, const Course& course) {
+// How the other loops of a saddle make room.
+enum class Style { pushed, short_ones };
+
+// Draws `e` to a course, then the others where they were, as far as that is left to them; or loops of saddles as short as they can be.
+Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, const Course& course,
+                    Style style) {
   Way way{draft};
   std::vector<int> all{e};
   all.insert(all.end(), others.begin(), others.end());
@@ -161,6 +158,10 @@ Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, c
   way.obstacle = redrawing->obstacle();
   std::vector<std::pair<int, double>> pushed;
   for (int other : others) {
+    if (style == Style::short_ones && !below.count(other)) {
+      if (const Result<void> drawn = redrawing->draw_short(other); !drawn) return drawn.error();
+      continue;
+    }
     const Result<double> kept = redrawing->draw(other, old[other]);
     if (!kept) return kept.error();
     const int origin = draft.replaced.count(other) ? draft.replaced.at(other) : other;
@@ -168,7 +169,24 @@ Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, c
   }
   if (Result<void> done = redrawing->finish(); !done) return done.error();
   level_pushed(way.draft, pushed);
+  if (!can_be_mapped(way.draft)) return refuse("the contours would come too near to each other");
   return way;
+}
+
+// The course of an edge that is dragged along when a point moves; what is far from it stays.
+Course dragged_course(const Draft& draft, const Redrawing& redrawing, int edge,
+                      const std::vector<Point>& points, const Point& from, const Point& to) {
+  const Eigen::Vector3d way = to - from;
+  const double reach = 3 * way.norm();
+  return [&draft, &redrawing, edge, points, to, way, reach](const Point& p, int home) {
+    const double r = reach > 0 ? (p - to).norm() / reach : 1;
+    const Point q = r < 1 ? Point(p - (1 - r * r) * (1 - r * r) * way) : p;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < points.size(); ++i)
+      least = std::min(least, squared_distance_to_segment(q, points[i - 1], points[i]));
+    const int side = r < 1 ? redrawing.side_of(edge, draft.vertex_at({q, -1})) : home;
+    return (side != 0 ? side : home) * std::sqrt(least);
+  };
 }
 
 } // namespace
@@ -183,17 +201,21 @@ Result<void> move_towards_plane(Draft& draft, int e, const Point& point, const E
   std::set<std::vector<int>> tried;
   std::optional<Way> best;
   Result<void> failure;
-  for (const std::vector<int>& others :
-       {std::vector<int>(), neighbours(draft, {e}, false), loops, both, neighbours(draft, {e}, true)}) {
-    if (!tried.insert(others).second) continue;
-    Result<Way> way = redrawn(draft, e, others, course);
-    if (!way) {
-      if (failure) failure = way.error();
-      continue;
+  const std::vector<std::vector<int>> ways{
+      {}, neighbours(draft, {e}, false), loops, both, neighbours(draft, {e}, true)};
+  for (Style style : {Style::pushed, Style::short_ones}) {
+    if (best && best->share >= 2 * least_share) break;
+    for (const std::vector<int>& others : ways) {
+      if (style == Style::pushed ? !tried.insert(others).second : others.empty()) continue;
+      Result<Way> way = redrawn(draft, e, others, course, style);
+      if (!way) {
+        if (failure) failure = way.error();
+        continue;
+      }
+      if (best && way->share < best->share + 0.05) continue;
+      best.emplace(std::move(*way));
+      if (best->share >= follows) break;
     }
-    if (best && way->share < best->share + 0.05) continue;
-    best.emplace(std::move(*way));
-    if (best->share >= follows) break;
   }
   if (!best) return failure;
   if (best->share < least_share)
@@ -204,35 +226,50 @@ Result<void> move_towards_plane(Draft& draft, int e, const Point& point, const E
   return {};
 }
 
-Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal) {
-  const std::vector<int> ends = draft.edges_at(node);
-  std::vector<int> edges;
-  for (int e : ends) {
-    if (draft.network.edges[e].from != draft.network.edges[e].to)
-      return refuse("the saddle shares its contour", {}, Element_kind::node, node);
-    if (edges.empty() || edges.back() != e) edges.push_back(e);
-  }
-  std::vector<Eigen::Vector3d> normals;
+namespace {
+
+// Moves a saddle whose contours are the loops `edges` to a vertex; by planes of a normal, or dragged along with it.
+Result<void> move_loops(Draft& draft, int node, int vertex, const std::vector<int>& edges,
+                        const std::optional<Eigen::Vector3d>& normal) {
+  std::map<int, std::vector<Point>> places; // of the loops as they are
   for (int e : edges)
-    normals.push_back(normal.isZero(0) ? loop_normal(draft, draft.network.edges[e]) : normal);
+    for (int v : draft.network.edges[e].vertices) places[e].push_back(draft.position(v));
   Result<Redrawing> redrawing = Redrawing::of(draft, edges);
   if (!redrawing) return redrawing.error();
   const Contour_node old = draft.network.nodes[node];
+  const Point from = draft.position(old.vertex), to = draft.surface().points[vertex];
   const int fresh = old.vertex == vertex ? node : add_node(draft.network, vertex, old.kind);
   draft.network.nodes[fresh].multiplicity = old.multiplicity;
   redrawing->move_node(node, fresh);
   double followed = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Course course = plane_course(draft.surface().points[vertex], normals[i]);
-    const Result<double> drawn = redrawing->draw(edges[i], course, true);
+  for (int e : edges) {
+    const Course course =
+        normal ? plane_course(to, *normal) : dragged_course(draft, *redrawing, e, places[e], from, to);
+    const Result<double> drawn = redrawing->draw(e, course, bool(normal));
     if (!drawn) return drawn.error();
     followed += *drawn / double(edges.size());
   }
-  if (!normal.isZero(0) && followed < least_share)
+  if (normal && followed < least_share)
     return refuse("the plane leaves the charts beside the contour", "another contour is in the way",
                   Element_kind::contour, redrawing->obstacle());
-  draft.followed = followed;
-  return redrawing->finish();
+  draft.followed = normal ? followed : 1;
+  if (Result<void> done = redrawing->finish(); !done) return done;
+  if (!can_be_mapped(draft)) return refuse("the contours would come too near to each other");
+  return {};
+}
+
+} // namespace
+
+Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal) {
+  std::vector<int> edges;
+  for (int e : draft.edges_at(node)) {
+    if (draft.network.edges[e].from != draft.network.edges[e].to)
+      return refuse("the saddle shares its contour", {}, Element_kind::node, node);
+    if (edges.empty() || edges.back() != e) edges.push_back(e);
+  }
+  std::optional<Eigen::Vector3d> plane;
+  if (!normal.isZero(0)) plane = normal;
+  return move_loops(draft, node, vertex, edges, plane);
 }
 
 } // namespace Reeb_quadrangulation

@@ -107,11 +107,18 @@ Result<Redrawing> Redrawing::of(Draft& draft, const std::vector<int>& edges) {
   }
   made.m_charts.assign(charts.begin(), charts.end());
   if (Result<void> prepared = made.prepare_levels(); !prepared) return prepared.error();
-  for (int e : edges)
-    if (made.homes_of_charts(e).empty())
+  for (int e : edges) {
+    made.m_homes[e] = made.homes_of_charts(e);
+    if (made.m_homes[e].empty())
       return refuse("the contour has the same chart on both sides", {}, Element_kind::contour, e);
+  }
   for (int e : edges) remove_edge(draft.network, e);
   return made;
+}
+
+int Redrawing::side_of(int edge, int vertex) const {
+  const int c = m_chart_of_vertex[std::size_t(vertex)];
+  return c < 0 ? 0 : m_homes.at(edge)[std::size_t(c)];
 }
 
 Result<void> Redrawing::prepare_levels() {
@@ -226,7 +233,7 @@ void Redrawing::hold_extrema(Asked& asked) const {
 
 // The course leaves some room before contours that stay and around extrema.
 void Redrawing::keep_off(int edge, Asked& asked) const {
-  const std::vector<signed char> of_chart = homes_of_charts(edge);
+  const std::vector<signed char>& of_chart = m_homes.at(edge);
   const std::vector<int>& origin = asked.region.chart.vertex_origin;
   std::map<int, int> far_side; // of a chart: where nothing is drawn
   for (int c : m_charts) {
@@ -298,7 +305,7 @@ Result<Redrawing::Asked> Redrawing::ask(int edge, const Course& course) {
   if (!region)
     return refuse("the regions between the contours would not all be charts", region.error().message);
   Asked asked{std::move(*region), {}, {}};
-  asked.sides.home = homes(asked.region, homes_of_charts(edge));
+  asked.sides.home = homes(asked.region, m_homes.at(edge));
   const std::vector<Point>& points = asked.region.chart.mesh.points;
   for (std::size_t v = 0; v < points.size(); ++v) asked.raw.push_back(course(points[v], asked.sides.home[v]));
   hold_extrema(asked);

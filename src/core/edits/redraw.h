@@ -43,6 +43,9 @@ public:
   /// The contour edge that kept the last one that was drawn from its course on most of its way, or -1.
   int obstacle() const { return m_obstacle; }
 
+  /// On which side of an edge a vertex of the surface lies in the region as it was: 1 left, -1 right, 0 on it or elsewhere.
+  int side_of(int edge, int vertex) const;
+
   /// Draws an edge as short as the contours around it allow.
   Result<void> draw_short(int edge);
 
@@ -73,9 +76,10 @@ private:
   Draft& m_draft;
   std::vector<int> m_edges;
   std::map<int, Contour_edge> m_old;
-  std::set<int> m_free;                      // the free loops among them
-  std::map<int, std::array<int, 2>> m_sides; // the charts beside each edge that was there
-  std::map<int, int> m_drawn, m_origin;      // the new edge of an old one, and back
+  std::set<int> m_free;                            // the free loops among them
+  std::map<int, std::array<int, 2>> m_sides;       // the charts beside each edge that was there
+  std::map<int, std::vector<signed char>> m_homes; // per edge: of the draft's charts
+  std::map<int, int> m_drawn, m_origin;            // the new edge of an old one, and back
   std::map<int, int> m_moved_nodes;
   std::vector<int> m_charts;          // of the region, in increasing order
   std::vector<int> m_chart_of_vertex; // of the surface: a chart of the region inside which it lies, or -1
