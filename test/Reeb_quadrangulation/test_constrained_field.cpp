@@ -163,7 +163,7 @@ TEST_CASE("a saddle's loop moved by the field comes near the plane, cut into the
   CHECK(distance[1] < 0.5 * unmoved);
 }
 
-TEST_CASE("the field alone holds saddles and caps, and nothing else") {
+TEST_CASE("the field alone holds saddles, rings and caps, and nothing else") {
   Editor editor = session(shape("bitorus", 4000), extrema({-1.35, 0, 0}, {{3.35, 0, 0}}), 800);
   const Saddle_loop loop = first_loop(editor, {0, 0, 0.15});
   Move_contour edit{loop.at, loop.saddle, loop.normal, {}, Enforcement::field};
@@ -175,10 +175,16 @@ TEST_CASE("the field alone holds saddles and caps, and nothing else") {
     return Surface_point();
   }();
   refused(editor, Move_contour{cap, cap.point, {0, 0, 1}, {}, Enforcement::field},
-          "the field alone moves contours of saddles only");
+          "a cap goes where the field has it");
   Move_contour part = edit;
   part.anchors = {loop.at, {loop.saddle, -1}};
-  refused(editor, part, "the field alone moves contours of saddles only");
+  refused(editor, part, "the field alone moves no part of a contour");
   applied(editor, Subdivide_chart{at(2, 1, 0.3)});
-  refused(editor, edit, "the field alone holds no contours but those of saddles and caps");
+  const std::size_t contours = contours_of(editor).size();
+  applied(editor, edit);
+  CHECK(contours_of(editor).size() == contours); // the ring among them
+  editor.undo();
+  part.enforcement = Enforcement::contour;
+  applied(editor, part); // its anchors are no critical points
+  refused(editor, edit, "the field alone holds no contours but those of saddles, rings and caps");
 }

@@ -106,8 +106,10 @@ struct Change_value {
 
 /// Moves a contour to the intersection of the surface with a plane. A loop at a saddle keeps its saddle: the plane is shifted to go
 /// through it. With two `anchors` on the contour only the part between them that is nearest to `at` moves, in the plane through both
-/// whose normal is nearest to the one given. Enforced by the field, the contour of a saddle comes near the plane only, and all charts
-/// are new.
+/// whose normal is nearest to the one given. Where the plane's curve would meet other contours, the contour follows it as far as these
+/// and the extrema allow, or other loops of the saddle and loops around the charts beside it give way; `Edit_report::followed` has the
+/// share of its length that lies in the plane, and less than a fifth is refused. Enforced by the field, the contour comes near the plane
+/// only, and all charts are new; caps go where the field has them.
 struct Move_contour {
   Surface_point at;
   Point plane_point = Point::Zero();
@@ -118,7 +120,9 @@ struct Move_contour {
 /// Moves a saddle with all its contours at once: the saddle to a vertex in the charts around it, the contours to the intersection of the
 /// surface with a plane through that vertex. It is the nearest one to `to`, at most the length of a quad's edge away, where the plane
 /// meets the surface in as many curves as the saddle has contours, as the touching plane does where the surface is a saddle itself.
-/// Contours to other saddles end there as before, each in the plane through both whose normal is nearest.
+/// Contours to other saddles end there as before, each in the plane through both whose normal is nearest. Where no such plane does,
+/// the saddle goes to the vertex itself, if all its contours are loops: they follow a plane that is given as far as others allow, else
+/// they are dragged along.
 struct Move_saddle {
   Surface_point at, to;                                   ///< the saddle; where it goes, also the same point
   Eigen::Vector3d plane_normal = Eigen::Vector3d::Zero(); ///< zero: of the surface at `to`
@@ -127,7 +131,7 @@ struct Move_saddle {
 struct Drag_contour {
   Surface_point at, to;
 };
-/// Pulls a contour as short as its charts allow, or onto sharp edges near it.
+/// Pulls a contour, or a loop of a saddle, as short as its charts allow; or a contour onto sharp edges near it.
 struct Straighten_contour {
   Surface_point at;
 };
@@ -167,8 +171,9 @@ struct Split_pole {
 struct Move_corner {
   Surface_point at, to;
 };
-/// Splits a simple saddle. `points`, if given, are the two new vertices of half-saddles, in the two charts that pass it once; or the
-/// four corners of quarter-saddles on its contours.
+/// Splits a saddle, also one that shares its contour with others. `points`, if given, are the new vertices of half-saddles, one in each
+/// sector of one side of the contour; or the four corners of quarter-saddles on the contours of a simple saddle that has its contour to
+/// itself. Degenerate saddles become simple ones first: a monkey saddle becomes four vertices of valence 6 or eight of valence 5.
 struct Split_saddle {
   Surface_point at;
   Saddle_kind kind = Saddle_kind::half;

@@ -24,7 +24,9 @@ struct Edit_report {
   std::vector<int> new_contours, removed_contours; ///< contour edges
   std::vector<int> changed_counts;                 ///< kept contour edges with another count
   int collapsed_charts = 0; ///< thin charts that the edit collapsed, see `Suggest::collapse_thin`
-  double seconds = 0;       ///< wall time
+  /// The share of a moved contour's length that lies in its plane; on the rest other contours, extrema or its saddle's order hold it.
+  double followed = 1;
+  double seconds = 0; ///< wall time
 };
 
 /// An editing session: a design and its history.

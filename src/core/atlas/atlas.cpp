@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
 
+#include "atlas/region_curve.h"
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -90,12 +92,19 @@ public:
     for (int v : extrema) m_is_extremum[v] = 1;
   }
 
-  // Takes regions of any topology from now on.
-  void accept_regions() { m_any_topology = true; }
+  // Takes regions of any topology from now on; with `mixed` also borders that are upper and lower in turn.
+  void accept_regions(bool mixed = false) {
+    m_any_topology = true;
+    m_mixed = mixed;
+  }
+
+  // Of the region that was built last: per vertex on its border the wall that begins there.
+  std::vector<Region_wall> take_walls() { return std::move(m_walls); }
 
   Result<Chart> build(const std::vector<int>& faces, int index) {
     m_index = index;
     m_chart = Chart();
+    m_walls.clear();
     if (m_any_topology) m_chart.kind = Chart_kind::region;
     m_extrema.clear();
     copy_faces(faces);
@@ -175,6 +184,13 @@ private:
       const int wall = m_embedding.wall_of[h];
       if (wall < 0) return bad("ends at a boundary that is not a contour");
       steps.push_back({corner(h), m_embedding.walls[wall]});
+    }
+    if (m_mixed) {
+      for (const Step& step : steps) {
+        m_walls.resize(std::max(m_walls.size(), std::size_t(step.vertex) + 1));
+        m_walls[step.vertex] = {step.wall.edge, step.wall.forward ? 0 : 1};
+      }
+      return {};
     }
     Walk walk;
     const auto side = [&](const Wall& w) {
@@ -269,6 +285,7 @@ private:
     for (std::size_t w = 0; w < m_chart.walks.size(); ++w)
       for (int v : m_chart.walks[w].vertices)
         walk_of[v] = m_any_topology ? int(m_chart.walks[w].side) : int(w);
+    std::fill_n(walk_of.begin(), m_walls.size(), 0);
     // Also over the new halfedges: two splits may have moved both sides of an edge to the end.
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
       if (mesh.opposite[h] < h) continue; // the border, or seen from the other side
@@ -323,7 +340,8 @@ private:
   std::vector<int> m_extrema;
   Chart m_chart;
   int m_index = -1;
-  bool m_any_topology = false;
+  bool m_any_topology = false, m_mixed = false;
+  std::vector<Region_wall> m_walls;
 };
 
 int find_root(std::vector<int>& parent, int i) {
@@ -517,6 +535,18 @@ Result<Chart> cut_region(const Embedding& embedding, const Contour_network& netw
   Chart_builder builder(embedding, network, extrema);
   builder.accept_regions();
   return builder.build(faces, region_of_face[face]);
+}
+
+Result<Open_region> open_region(const Embedding& embedding, const Contour_network& network, int face) {
+  std::vector<int> region_of_face;
+  std::vector<std::vector<int>> regions = flood_regions(embedding, region_of_face);
+  std::vector<int>& faces = regions[region_of_face[face]];
+  sort_faces(embedding, faces);
+  Chart_builder builder(embedding, network, {});
+  builder.accept_regions(true);
+  Result<Chart> chart = builder.build(faces, region_of_face[face]);
+  if (!chart) return chart.error();
+  return Open_region{std::move(*chart), builder.take_walls()};
 }
 
 std::vector<int> rectangle_corners(const Contour_network& network, const Chart& chart) {

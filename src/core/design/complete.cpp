@@ -13,6 +13,27 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
+bool folds(const Chart& chart, const Chart_parameterization& map) {
+  for (int f = 0; f < chart.mesh.number_of_faces(); ++f) {
+    const Triangle& t = chart.mesh.triangles[f];
+    const double v1 = map.v()[t[1]] + map.jump(3 * f) - map.v()[t[0]],
+                 v2 = map.v()[t[2]] - map.jump(3 * f + 2) - map.v()[t[0]];
+    const double u1 = map.u()[t[1]] - map.u()[t[0]], u2 = map.u()[t[2]] - map.u()[t[0]];
+    const double size = std::abs(v1) + std::abs(v2) + std::abs(u1) + std::abs(u2);
+    if (v1 * u2 - v2 * u1 < -1e-15 * size) return true;
+  }
+  return false;
+}
+
+bool can_be_mapped(Draft& draft) {
+  for (int c = 0; c < int(draft.atlas().charts.size()); ++c) {
+    if (draft.origin(c) >= 0 || draft.chart(c).kind != Chart_kind::annulus) continue;
+    const Result<Chart_parameterization> map = draft.naturally_solved_map(c);
+    if (!map || folds(draft.chart(c), *map)) return false;
+  }
+  return true;
+}
+
 namespace {
 
 class Completion {
@@ -30,6 +51,7 @@ public:
       if (Result<void> going_on = m_draft.begin(stage); !going_on) return going_on.error();
       if (Result<void> done = (this->*step)(); !done) return done.error();
     }
+    if (Result<void> mapped = check_maps(); !mapped) return mapped.error();
     m_design.atlas = m_draft.atlas();
     m_design.network = std::move(m_draft.network);
     m_design.extrema = std::move(m_draft.extrema);
@@ -71,6 +93,15 @@ private:
       if (!stays[i] && m_before.charts[i]->settings.locked)
         return refuse("the edit would change a locked chart", {}, Element_kind::chart,
                       m_before.charts[i]->id);
+    return {};
+  }
+
+  // Where contours were pushed aside, rounding may fold the map of a chart that is left very thin.
+  Result<void> check_maps() const {
+    if (!m_draft.has_pushed_contours) return {};
+    for (const auto& chart : m_design.charts)
+      if (m_before.index_of(chart->id) < 0 && folds(*chart->chart, *chart->map))
+        return refuse("the contours would come too near to each other", {}, Element_kind::chart, chart->id);
     return {};
   }
 

@@ -141,6 +141,8 @@ void Draft::take(Draft&& other) {
   replaced = std::move(other.replaced);
   field = std::move(other.field);
   collapsed_charts = other.collapsed_charts;
+  followed = other.followed;
+  has_pushed_contours = other.has_pushed_contours;
   m_atlas = std::move(other.m_atlas);
   m_was_cut = std::move(other.m_was_cut);
   m_maps = std::move(other.m_maps);

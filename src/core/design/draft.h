@@ -76,6 +76,8 @@ public:
   std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
   int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
+  double followed = 1;                        ///< see `Edit_report::followed`
+  bool has_pushed_contours = false; ///< so that charts may be too thin for numbers: then their maps are checked
 
   /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
   Result<void> cut();
@@ -155,6 +157,12 @@ Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const 
 /// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads of locked charts are not split.
 Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
                                     const internal::Lazy_projector& projector, const Design& design);
+
+/// Whether a triangle of a chart is turned over in its map, by more than rounding.
+bool folds(const Chart& chart, const Chart_parameterization& map);
+
+/// Whether the annuli that the draft has new can be mapped: very thin ones fold by rounding.
+bool can_be_mapped(Draft& draft);
 
 /// Joins the saddles on both sides of every annulus that is lower than half a quad, the lowest first, as long as charts result; counts in
 /// `Draft::collapsed_charts`. A quad is as large as the draft's target makes it if its counts are to be chosen anew, else as before. Fails

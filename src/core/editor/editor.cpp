@@ -79,6 +79,7 @@ struct Changed {
   Design design;
   std::optional<Stitched_mesh> quads;
   int collapsed_charts = 0;
+  double followed = 1;
 };
 
 // Whether charts are filled in a way that neighbours may not meet.
@@ -106,14 +107,15 @@ struct Editor::Implementation {
     Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
     if (!next) return next.error();
     const int collapsed = draft.collapsed_charts;
+    const double followed = draft.followed;
     const bool may_fail =
         has_edited_texture(*next) || has_whole_pole(*next) || has_own_textures(options.textures);
-    if (!may_fail) return Changed{std::move(*next), {}, collapsed};
+    if (!may_fail) return Changed{std::move(*next), {}, collapsed, followed};
     Result<Stitched_mesh> stitched = stitch_design(working, projector, *next);
     if (!stitched) return stitched.error();
     if (has_whole_pole(*next) && !has_all_fans(*next, *stitched))
       return refuse("the ring around a whole pole is none that a fan could fill");
-    return Changed{std::move(*next), std::move(*stitched), collapsed};
+    return Changed{std::move(*next), std::move(*stitched), collapsed, followed};
   }
 
   Triangle_surface input, working;
@@ -174,6 +176,7 @@ Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   const auto state = std::make_shared<const Design>(std::move(changed->design));
   Edit_report report = differences(m.design(), *state);
   report.collapsed_charts = changed->collapsed_charts;
+  report.followed = changed->followed;
   m.states.resize(m.position + 1);
   m.edits.resize(m.position);
   m.states.push_back(state);

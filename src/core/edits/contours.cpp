@@ -233,12 +233,35 @@ Result<void> move_part(Draft& draft, int e, const Move_contour& edit) {
   if (!path) return path.error();
   path->from = old.from;
   path->to = old.to;
-  if (edit.enforcement == Enforcement::field) {
-    Draft trial = draft; // what cannot be cut in is no contour for a field to follow
-    if (Result<void> possible = replace_edge(trial, e, *path); !possible) return possible;
-    return enforce_by_field(draft, e, std::move(*path));
-  }
   return replace_edge(draft, e, std::move(*path));
+}
+
+bool meets_surface(const Draft& draft, const Cutting_plane& plane) {
+  const Result<std::vector<char>> above = classify_vertices(draft.surface(), plane);
+  return above && std::count(above->begin(), above->end(), char(1)) % std::ptrdiff_t(above->size()) != 0;
+}
+
+// The plane itself, or what comes near it.
+Result<void> move_edge(Draft& draft, int e, const Move_contour& edit) {
+  Draft trial = draft;
+  const bool is_free = draft.is_free_loop(e);
+  const Result<void> exact = is_free ? move_free_loop(trial, e, edit) : move_part(trial, e, edit);
+  if (!exact && exact.error().code != Error_code::refused_edit) return exact;
+  if (exact) {
+    draft.take(std::move(trial));
+    return {};
+  }
+  Point point = edit.plane_point;
+  Eigen::Vector3d normal = edit.plane_normal;
+  if (is_free && !meets_surface(draft, Cutting_plane::at(point, normal))) return exact;
+  if (!is_free) { // through both ends
+    const Contour_edge& old = draft.network.edges[e];
+    point = draft.position(old.vertices.front());
+    const Eigen::Vector3d along = draft.position(old.vertices.back()) - point;
+    if (along.squaredNorm() > 0) normal -= normal.dot(along) / along.squaredNorm() * along;
+    if (!(normal.norm() > 1e-9 * edit.plane_normal.norm())) return exact;
+  }
+  return move_towards_plane(draft, e, point, normal);
 }
 
 } // namespace
@@ -251,17 +274,21 @@ Result<void> apply_edit(Draft& draft, const Move_contour& edit) {
     return refuse("the contour is a boundary of the surface", {}, Element_kind::contour, e);
   if (!edit.anchors.empty() && edit.anchors.size() != 2)
     return make_error(Error_code::impossible_request, "a contour has no anchors, or two");
-  if (edit.enforcement == Enforcement::field && (!edit.anchors.empty() || draft.is_free_loop(e)))
-    return refuse("the field alone moves contours of saddles only", {}, Element_kind::contour, e);
-  if (edit.anchors.empty())
-    return draft.is_free_loop(e) ? move_free_loop(draft, e, edit) : move_part(draft, e, edit);
+  if (edit.enforcement == Enforcement::field) {
+    if (!edit.anchors.empty())
+      return refuse("the field alone moves no part of a contour", {}, Element_kind::contour, e);
+    Draft trial = draft; // what cannot be cut in is no contour for a field to follow
+    if (Result<void> possible = move_edge(trial, e, edit); !possible) return possible;
+    return enforce_by_field(draft, e, trial);
+  }
+  if (edit.anchors.empty()) return move_edge(draft, e, edit);
   if (sides[0] == sides[1])
     return refuse("a segment has no anchors but its ends", {}, Element_kind::contour, e);
   Result<int> part = part_between(draft, e, edit.anchors, edit.at.point);
   if (!part) return part.error();
   // The parts are edges of their own now; the atlas has to know them before one of them moves.
   if (Result<void> cut = draft.cut(); !cut) return cut;
-  return move_part(draft, *part, edit);
+  return move_edge(draft, *part, edit);
 }
 
 namespace {

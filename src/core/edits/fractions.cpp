@@ -369,15 +369,23 @@ Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split
 
 Result<void> apply_edit(Draft& draft, const Split_saddle& edit) {
   if (!(edit.size >= 0)) return make_error(Error_code::impossible_request, "a size is not negative");
-  const Result<Simple_saddle> saddle = simple_saddle_at(draft, edit.at);
-  if (!saddle) return saddle.error();
-  if (edit.kind == Saddle_kind::half) return split_in_halves(draft, *saddle, edit);
-  Draft trial = draft;
-  if (split_in_quarters(trial, *saddle, edit, true)) {
-    draft.take(std::move(trial));
-    return {};
+  const int node = draft.saddle_at(edit.at.point);
+  if (node < 0) return refuse("there is no saddle");
+  Result<void> done;
+  if (const Result<Simple_saddle> saddle = simple_saddle_at(draft, edit.at)) {
+    for (bool straight : {true, false}) {
+      Draft trial = draft;
+      done = edit.kind == Saddle_kind::half ? split_in_halves(trial, *saddle, edit)
+                                            : split_in_quarters(trial, *saddle, edit, straight);
+      if (done) {
+        draft.take(std::move(trial));
+        return {};
+      }
+      if (edit.kind == Saddle_kind::half || done.error().code != Error_code::refused_edit) break;
+    }
+    if (!edit.points.empty() || done.error().code != Error_code::refused_edit) return done;
   }
-  return split_in_quarters(draft, *saddle, edit, false);
+  return split_saddle_by_sectors(draft, node, edit);
 }
 
 namespace {

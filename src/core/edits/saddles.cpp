@@ -80,6 +80,7 @@ bool is_beside(const Draft& draft, const std::vector<int>& edges, int vertex) {
   });
 }
 
+// The saddle and its contours.
 Result<Saddle_move> read(const Draft& draft, const Move_saddle& edit) {
   Saddle_move move;
   move.node = draft.saddle_at(edit.at.point);
@@ -89,19 +90,20 @@ Result<Saddle_move> read(const Draft& draft, const Move_saddle& edit) {
   for (int e : move.edges)
     for (int c : draft.atlas().charts_of_edge[e])
       if (c < 0) return refuse("the contour is a boundary of the surface", {}, Element_kind::contour, e);
-  const int wanted = draft.vertex_at(edit.to);
-  if (!is_beside(draft, move.edges, wanted))
-    return refuse("the saddle would leave its charts", {}, Element_kind::vertex, wanted);
-  // On flat triangles, and beside the ridge of a saddle, another vertex near it may be one where the plane meets the surface so.
-  for (int v : vertices_around(draft.surface(), wanted, draft.edge_length)) {
+  return move;
+}
+
+// On flat triangles, and beside the ridge of a saddle, another vertex near it may be one where the plane meets the surface so.
+Result<Saddle_move> with_one_plane(const Draft& draft, const Move_saddle& edit, Saddle_move move,
+                                   const std::vector<int>& vertices) {
+  const std::size_t ends = draft.edges_at(move.node).size();
+  for (int v : vertices) {
     move.vertex = v;
     move.normal = plane_normal(draft, edit, v);
-    if (crossings_around(draft.surface(), v, move.normal) >= int(ends.size()) &&
-        is_beside(draft, move.edges, v))
-      return move;
+    if (crossings_around(draft.surface(), v, move.normal) >= int(ends)) return move;
   }
   return refuse("the plane meets the surface in fewer curves than the saddle has contours", {},
-                Element_kind::vertex, wanted);
+                Element_kind::vertex, vertices[0]);
 }
 
 // The contour that takes the place of edge `e`, whose ends at the saddle are at node `node` now.
@@ -159,16 +161,37 @@ Result<void> move_saddle(Draft& draft, const Saddle_move& move, Loop_sense sense
   return check_caps(draft);
 }
 
-} // namespace
-
-Result<void> apply_edit(Draft& draft, const Move_saddle& edit) {
-  const Result<Saddle_move> move = read(draft, edit);
-  if (!move) return move.error();
-  // The upper side of the plane is that of the field, or the lower one.
+// All contours in one plane; its upper side is that of the field, or the lower one.
+Result<void> move_to_plane(Draft& draft, const Saddle_move& move) {
   Result<void> done;
   for (Loop_sense sense : {Loop_sense::above_on_left, Loop_sense::above_on_right}) {
     Draft trial = draft;
-    done = move_saddle(trial, *move, sense);
+    done = move_saddle(trial, move, sense);
+    if (!done) continue;
+    draft.take(std::move(trial));
+    return {};
+  }
+  return done;
+}
+
+} // namespace
+
+Result<void> apply_edit(Draft& draft, const Move_saddle& edit) {
+  const Result<Saddle_move> saddle = read(draft, edit);
+  if (!saddle) return saddle.error();
+  const int wanted = draft.vertex_at(edit.to);
+  std::vector<int> vertices;
+  for (int v : vertices_around(draft.surface(), wanted, draft.edge_length))
+    if (is_beside(draft, saddle->edges, v)) vertices.push_back(v);
+  if (vertices.empty() || !is_beside(draft, saddle->edges, wanted))
+    return refuse("the saddle would leave its charts", {}, Element_kind::vertex, wanted);
+  const Result<Saddle_move> move = with_one_plane(draft, edit, *saddle, vertices);
+  if (move && move_to_plane(draft, *move)) return {};
+  constexpr std::size_t most = 6;
+  Result<void> done;
+  for (std::size_t i = 0; i < std::min(most, vertices.size()); ++i) {
+    Draft trial = draft;
+    done = move_saddle_with_loops(trial, saddle->node, vertices[i], edit.plane_normal);
     if (!done) continue;
     draft.take(std::move(trial));
     return {};

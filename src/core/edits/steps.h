@@ -76,9 +76,21 @@ Result<std::vector<double>> level_field(Draft& draft, int chart);
 /// The design's field at the two ends of a chart.
 std::array<double, 2> value_range(const Draft& draft, const Chart& chart);
 
-/// Puts a new polyline in the place of a saddle's contour edge `old` and lets the field follow it, on the whole surface: the new contours
-/// are level lines near it.
-Result<void> enforce_by_field(Draft& draft, int old, Contour_edge fresh);
+/// Lets the field follow contours that have taken the place of edge `old`, and perhaps of others, in a trial of the draft, on the whole
+/// surface: the new contours are level lines near them.
+Result<void> enforce_by_field(Draft& draft, int old, const Draft& trial);
+
+/// Splits a saddle of any multiplicity, also one that shares its contour with others.
+Result<void> split_saddle_by_sectors(Draft& draft, int node, const Split_saddle& edit);
+
+/// Moves a contour edge towards a plane where the plane itself cannot be the contour: it follows the plane as far as its charts allow; if
+/// that is not far, other loops of its saddle and free loops beside its charts give way. Refused if it would hardly follow the plane,
+/// with the contour that is in the way.
+Result<void> move_towards_plane(Draft& draft, int edge, const Point& point, const Eigen::Vector3d& normal);
+
+/// Moves a saddle all of whose contours are loops to a vertex in the charts around it; its loops go to planes of their own, whose normals
+/// are those of the loops, or the one given.
+Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal);
 
 /// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The draft is not cut.
 Result<int> draw_level_line(Draft& draft, int chart, int vertex);
