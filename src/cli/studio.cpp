@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The studio: serves the page and waits for Ctrl-C.
+// The studio: serves the page and waits for Ctrl-C. A child process does the work, so that its crash is not
+// the end.
 #include "Command.h"
 #include "Interruption.h"
+#include "Redirect_page.h"
 
 #include "server/Server.h"
-#include "session/Folder.h"
+#include "server/Supervisor.h"
 #include "view/Assets.h"
 
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 
 extern char** environ;
 
@@ -64,23 +69,87 @@ std::optional<Studio_options> parse_studio_options(const Arguments& arguments) {
   return options;
 }
 
-/// Asks the desktop to show the page. Nothing depends on it: the address stands on the screen as well.
-void open_browser(const std::string& url) {
+/// Asks the desktop to show a page. Nothing depends on it: the address stands on the screen as well.
+void open_browser(const std::string& page) {
 #ifdef __APPLE__
   std::string program = "open";
 #else
   std::string program = "xdg-open";
 #endif
-  std::string argument = url;
+  std::string argument = page;
   char* const argv[] = {program.data(), argument.data(), nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", 1 /* O_WRONLY */, 0);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", 1, 0);
+  posix_spawnattr_t attributes; // signals that we ignore are no business of others
+  sigset_t defaults;
+  sigemptyset(&defaults);
+  sigaddset(&defaults, SIGPIPE);
+  sigaddset(&defaults, SIGXFSZ);
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigdefault(&attributes, &defaults);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
-  if (posix_spawnp(&child, program.c_str(), &actions, nullptr, argv, environ) == 0)
+  if (posix_spawnp(&child, program.c_str(), &actions, &attributes, argv, environ) == 0)
     std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
+}
+
+/// Whether the user pressed Enter within a twentieth of a second. Elsewhere than at a terminal nobody can.
+bool is_asked_for_address() {
+  static bool has_terminal = isatty(STDIN_FILENO) != 0;
+  if (!has_terminal) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return false;
+  }
+  pollfd waiting{STDIN_FILENO, POLLIN, 0};
+  if (poll(&waiting, 1, 50) <= 0) return false;
+  char line[256];
+  const ssize_t n = read(STDIN_FILENO, line, sizeof line);
+  has_terminal = n > 0;
+  return n > 0 && line[n - 1] == '\n';
+}
+
+/// The child's work: serves until Ctrl-C.
+Exit_code serve(const studio::Doorway& doorway, const Studio_options& options, int crashes) {
+  // What crashed once when it was brought back is not brought back again without being asked for.
+  studio::Start start;
+  if (crashes == 0) start.file = options.file;
+  start.resumes = crashes == 1;
+  studio::Server server(doorway, start);
+  std::cout << server.url() << std::endl;
+  std::optional<Redirect_page> page;
+  if (options.open_browser && crashes == 0) {
+    page = Redirect_page::write(server.url());
+    if (page) open_browser(page->path());
+  }
+  while (!interrupted()) {
+    if (is_asked_for_address()) {
+      server.renew_token();
+      std::cout << server.url() << std::endl;
+    }
+    if (page && !server.awaits_visitor()) page.reset();
+  }
+  return Exit_code::interrupted;
+}
+
+int serve_guarded(const studio::Doorway& doorway, const Studio_options& options, int crashes) {
+  try {
+    return static_cast<int>(serve(doorway, options, crashes));
+  } catch (const std::exception& error) {
+    std::cerr << "reebquad: " << error.what() << std::endl;
+    return static_cast<int>(Exit_code::other_failure);
+  }
+}
+
+void tell_crash(int signal, int crashes) {
+  std::cerr << "reebquad: the engine of the studio crashed (" << strsignal(signal) << "); "
+            << (crashes >= studio::most_crashes ? "it crashes again and again and is given up"
+                : crashes == 1                  ? "it is started again, with your work up to the last edit"
+                                                : "it is started again, with nothing open")
+            << std::endl;
 }
 
 } // namespace
@@ -92,12 +161,9 @@ Exit_code execute_studio(const Arguments& arguments) {
     throw Failure(Exit_code::other_failure,
                   std::string("this program was built without the page of the studio (") +
                       studio::missing_page_reason() + "): install npm and build again");
-  studio::Server server(options->folder, options->port);
-  std::cout << server.url() << std::endl;
-  if (!options->file.empty()) server.open_file(options->file);
-  if (options->open_browser) open_browser(server.url());
-  while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  return Exit_code::interrupted;
+  const studio::Doorway doorway(options->folder, options->port);
+  const auto work = [&](int crashes) { return serve_guarded(doorway, *options, crashes); };
+  return static_cast<Exit_code>(studio::supervise(work, interrupted, tell_crash));
 }
 
 } // namespace reebquad

@@ -116,9 +116,11 @@ inline Answer ask(unsigned short port, const std::string& method, const std::str
 /// What a browser that was let in knows.
 struct Visitor {
   unsigned short port;
-  std::string host, origin, cookie;
+  std::string host, origin, secret;
 
-  Headers headers() const { return {{"Host", host}, {"Origin", origin}, {"Cookie", cookie}}; }
+  Headers headers() const {
+    return {{"Host", host}, {"Origin", origin}, {"Authorization", "Bearer " + secret}};
+  }
 };
 
 /// Enters with the token of the address that the program prints.
@@ -133,8 +135,7 @@ inline Visitor enter(const std::string& url) {
       ask(visitor.port, "POST", "/api/enter", {{"Host", visitor.host}, {"Origin", visitor.origin}},
           url.substr(sign + std::string("/#token=").size()));
   REQUIRE(answer.status == 200);
-  const std::string set = answer.header("Set-Cookie");
-  visitor.cookie = set.substr(0, set.find(';'));
+  visitor.secret = nlohmann::json::parse(answer.body)["secret"];
   return visitor;
 }
 
@@ -143,15 +144,16 @@ class Page_socket {
 public:
   explicit Page_socket(const Visitor& visitor) : m_socket(visitor.port) {
     Headers headers = visitor.headers();
-    for (const auto& header : handshake()) headers.push_back(header);
+    for (const auto& header : handshake(visitor.secret)) headers.push_back(header);
     m_socket.send(request_text("GET", "/api/socket", headers));
     opening = read_answer(m_socket);
   }
 
-  static Headers handshake() {
+  static Headers handshake(const std::string& secret) {
     return {{"Upgrade", "websocket"},
             {"Connection", "Upgrade"},
             {"Sec-WebSocket-Version", "13"},
+            {"Sec-WebSocket-Protocol", "reebquad, " + secret},
             {"Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ=="}};
   }
 

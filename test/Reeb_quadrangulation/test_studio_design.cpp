@@ -337,8 +337,10 @@ TEST_CASE("who stops while the last session comes back does not lose it") {
           session.edit(quads == 300 ? suggestion : Json{{"edit", "set_target"}, {"quads", quads}}, silent));
     REQUIRE(session.undo());
   }
-  const auto kept = [&] { return contents(folder.path(".reebquad/session.json")); };
+  const std::string name = ".reebquad/session-" + reebquad::studio::digest(file_of("sphere", 800)) + ".json";
+  const auto kept = [&] { return contents(folder.path(name)); };
   const std::string before = kept();
+  REQUIRE(!before.empty());
   // Stops at the n-th question whether to stop.
   struct Impatient : Observer {
     explicit Impatient(int n) : left(n) {}
@@ -354,4 +356,76 @@ TEST_CASE("who stops while the last session comes back does not lose it") {
     CHECK(kept() == before);
     if (done) CHECK(session.state()["applied"] == 3);
   }
+}
+
+TEST_CASE("opening a mesh again brings its edits back, and a crash the mesh that was open last") {
+  const Temporary_folder folder;
+  Silent silent;
+  folder.write("a.obj", file_of("sphere", 800));
+  folder.write("b.obj", file_of("torus", 800));
+  {
+    Session session{Folder(folder.path(""))};
+    CHECK(session.resume(silent)); // nothing is there, and nothing is wrong
+    REQUIRE(session.open_file("a.obj", silent));
+    REQUIRE(session.edit(suggestion, silent));
+    REQUIRE(session.open_file("b.obj", silent));
+    CHECK(session.state()["applied"] == 0);
+  }
+  Session resumed{Folder(folder.path(""))};
+  REQUIRE(resumed.resume(silent));
+  CHECK(resumed.state()["file"]["name"] == "b.obj"); // though nothing was done to it yet
+  Session again{Folder(folder.path(""))};
+  REQUIRE(again.open_file("a.obj", silent));
+  CHECK(again.state()["applied"] == 1);
+  // The mesh is another now: the session waits for the old one.
+  folder.write("a.obj", file_of("sphere", 900));
+  Session changed{Folder(folder.path(""))};
+  REQUIRE(changed.open_file("a.obj", silent));
+  CHECK(changed.state()["applied"] == 0);
+  folder.write("a.obj", file_of("sphere", 800));
+  REQUIRE(changed.open_file("a.obj", silent));
+  CHECK(changed.state()["applied"] == 1);
+}
+
+TEST_CASE("sessions that cannot be read, or whose edits are refused now, are kept and named") {
+  const Temporary_folder folder;
+  Silent silent;
+  const std::string mesh = file_of("sphere", 800);
+  folder.write("a.obj", mesh);
+  std::filesystem::create_directory(folder.path(".reebquad"));
+  folder.write(".reebquad/session.json", R"({"version": 3, "future": true})");
+  const std::string name = ".reebquad/session-" + reebquad::studio::digest(mesh);
+  folder.write(name + ".json", "{\"version\": 2, trunca");
+  Session session{Folder(folder.path(""))};
+  CHECK(session.state()["unreadable_sessions"].size() == 2);
+  REQUIRE(session.open_file("a.obj", silent));
+  CHECK(session.state()["last"]["warning"].get<std::string>().find(name + ".kept-1.json") !=
+        std::string::npos);
+  REQUIRE(session.edit(suggestion, silent));
+  CHECK(contents(folder.path(".reebquad/session.json")) == R"({"version": 3, "future": true})");
+  CHECK(contents(folder.path(name + ".kept-1.json")) == "{\"version\": 2, trunca");
+
+  Json kept = Json::parse(contents(folder.path(name + ".json")));
+  kept["parts"][0]["edits"].push_back({{"edit", "of the future"}});
+  kept["parts"][0]["applied"] = 2;
+  folder.write(name + ".json", kept.dump());
+  Session next{Folder(folder.path(""))};
+  REQUIRE(next.open_file("a.obj", silent));
+  CHECK(next.state()["applied"] == 1); // what could be repeated
+  CHECK(next.state()["last"]["text"].get<std::string>().find(name + ".kept-2.json") != std::string::npos);
+  CHECK(Json::parse(contents(folder.path(name + ".kept-2.json"))) == kept);
+}
+
+TEST_CASE("the first mesh that is opened tells of sessions of others that cannot be read") {
+  const Temporary_folder folder;
+  Silent silent;
+  folder.write("a.obj", file_of("sphere", 800));
+  std::filesystem::create_directory(folder.path(".reebquad"));
+  folder.write(".reebquad/session.json", R"({"version": 3})");
+  Session session{Folder(folder.path(""))};
+  REQUIRE(session.open_file("a.obj", silent));
+  CHECK(session.state()["last"]["warning"].get<std::string>().find(".reebquad/session.json") !=
+        std::string::npos);
+  REQUIRE(session.edit(suggestion, silent));
+  CHECK(!session.state()["last"].contains("warning"));
 }

@@ -25,7 +25,7 @@ std::string torus_file() {
 
 } // namespace
 
-TEST_CASE("exactly the right host, origin and cookie together open a socket") {
+TEST_CASE("exactly the right host, origin and secret together open a socket") {
   const Temporary_folder folder;
   const Server server(folder.path(""), 0);
   const Visitor us = enter(server.url());
@@ -48,28 +48,31 @@ TEST_CASE("exactly the right host, origin and cookie together open a socket") {
                                          "http://evil.example",
                                          "null",
                                          ""};
-  const std::string other_secret(64, '0');
-  const std::vector<std::string> cookies{us.cookie,
-                                         us.cookie.substr(0, us.cookie.size() - 1),
-                                         us.cookie + "0",
-                                         us.cookie.substr(0, us.cookie.find('=') + 1) + other_secret,
-                                         "other=1; " + us.cookie,
-                                         "session=" + us.cookie.substr(us.cookie.find('=') + 1),
-                                         ""};
+  const std::vector<std::string> protocols{"reebquad, " + us.secret,
+                                           "reebquad," + us.secret,
+                                           "reebquad, " + us.secret.substr(1),
+                                           "reebquad, " + us.secret + "0",
+                                           "reebquad, " + std::string(64, '0'),
+                                           us.secret,
+                                           "other, " + us.secret,
+                                           "reebquad",
+                                           ""};
   int opened = 0;
   for (const std::string& host : hosts)
     for (const std::string& origin : origins)
-      for (const std::string& cookie : cookies) {
-        CAPTURE(host, origin, cookie);
+      for (const std::string& protocol : protocols) {
+        CAPTURE(host, origin, protocol);
         Headers headers;
         if (!host.empty()) headers.emplace_back("Host", host);
         if (!origin.empty()) headers.emplace_back("Origin", origin);
-        if (!cookie.empty()) headers.emplace_back("Cookie", cookie);
-        for (const auto& header : Page_socket::handshake()) headers.push_back(header);
+        for (const auto& header : Page_socket::handshake(us.secret))
+          if (header.first != "Sec-WebSocket-Protocol") headers.push_back(header);
+        if (!protocol.empty()) headers.emplace_back("Sec-WebSocket-Protocol", protocol);
         const Answer answer = ask(us.port, "GET", "/api/socket", headers);
-        const bool right = host == us.host && origin == us.origin &&
-                           (cookie == us.cookie || cookie == "other=1; " + us.cookie);
+        const bool right =
+            host == us.host && origin == us.origin && (protocol == protocols[0] || protocol == protocols[1]);
         CHECK((answer.status == 101) == right);
+        if (right) CHECK(answer.header("Sec-WebSocket-Protocol") == "reebquad");
         CHECK((right || answer.status == 421 || answer.status == 403 || answer.status == 401 ||
                answer.status == 400));
         CHECK(answer.seconds < 1);
@@ -78,39 +81,60 @@ TEST_CASE("exactly the right host, origin and cookie together open a socket") {
   CHECK(opened == 2);
 }
 
-TEST_CASE("the token is exchanged for a cookie that scripts cannot read, and nothing else is") {
-  const Temporary_folder folder;
-  const Server server(folder.path(""), 0);
-  const Visitor us = enter(server.url());
-  const Headers headers{{"Host", us.host}, {"Origin", us.origin}};
-  const std::string token = server.url().substr(server.url().find('=') + 1);
-  REQUIRE(token.size() == 64); // 256 bits
-  const Answer good = ask(us.port, "POST", "/api/enter", headers, token);
-  CHECK(good.header("Set-Cookie").find("; HttpOnly; SameSite=Strict") != std::string::npos);
-  CHECK(good.header("Set-Cookie").find(token) == std::string::npos);
-  for (const std::string& wrong :
-       {token.substr(1), token + "0", std::string(64, '0'), std::string("x"), token.substr(0, 63) + "g"}) {
-    const Answer bad = ask(us.port, "POST", "/api/enter", headers, wrong);
+TEST_CASE("the token opens once and not for long, and what it opens is no cookie") {
+  const Temporary_folder folder, elsewhere;
+  Limits limits;
+  limits.token_life = std::chrono::milliseconds(1500);
+  Server server(folder.path(""), 0, limits);
+  const std::string origin = server.url().substr(0, server.url().find("/#"));
+  const Headers headers{{"Host", origin.substr(7)}, {"Origin", origin}};
+  const auto token = [&] { return server.url().substr(server.url().find('=') + 1); };
+  REQUIRE(token().size() == 64); // 256 bits
+  for (const std::string& wrong : {token().substr(1), token() + "0", std::string(64, '0'), std::string("x"),
+                                   token().substr(0, 63) + "g"}) {
+    const Answer bad = ask(server.port(), "POST", "/api/enter", headers, wrong);
     CHECK(bad.status == 403);
-    CHECK(bad.header("Set-Cookie").empty());
+    CHECK(bad.body.find("secret") == std::string::npos);
   }
-  // Another run has another token, and the cookie of this one does not open it.
-  const Server other(folder.path(""), 0);
+  CHECK(server.awaits_visitor());
+  const Answer good = ask(server.port(), "POST", "/api/enter", headers, token());
+  REQUIRE(good.status == 200);
+  CHECK(good.header("Set-Cookie").empty());
+  CHECK(good.body.find(token()) == std::string::npos);
+  CHECK(!server.awaits_visitor());
+  CHECK(ask(server.port(), "POST", "/api/enter", headers, token()).status == 403);
+
+  server.renew_token();
+  CHECK(server.awaits_visitor());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1700));
+  CHECK(!server.awaits_visitor());
+  CHECK(ask(server.port(), "POST", "/api/enter", headers, token()).status == 403);
+  server.renew_token();
+  CHECK(ask(server.port(), "POST", "/api/enter", headers, token()).status == 200);
+
+  // What a browser would send to any port of this machine opens nothing.
+  Headers cookie = headers;
+  cookie.emplace_back("Cookie", "reebquad=" + nlohmann::json::parse(good.body)["secret"].get<std::string>());
+  CHECK(ask(server.port(), "GET", "/api/download?what=obj", cookie).status == 401);
+  // Another run has another token and another secret.
+  const Server other(elsewhere.path(""), 0);
   CHECK(other.url().substr(other.url().find('=')) != server.url().substr(server.url().find('=')));
+  CHECK(enter(other.url()).secret != nlohmann::json::parse(good.body)["secret"]);
 }
 
-TEST_CASE("requests without the cookie read and change nothing") {
+TEST_CASE("requests without the secret read and change nothing") {
   const Temporary_folder folder;
   const Server server(folder.path(""), 0);
   const Visitor us = enter(server.url());
-  const Headers no_cookie{{"Host", us.host}, {"Origin", us.origin}};
-  CHECK(ask(us.port, "POST", "/api/upload?name=a.off", no_cookie, torus_file()).status == 401);
-  CHECK(ask(us.port, "GET", "/api/download?what=obj", no_cookie).status == 401);
-  CHECK(ask(us.port, "GET", "/api/nothing", no_cookie).status == 401);
-  // A form of another page would be sent with the cookie by an old browser, but not with our origin.
-  const Headers foreign{{"Host", us.host}, {"Origin", "http://evil.example"}, {"Cookie", us.cookie}};
+  const Headers no_secret{{"Host", us.host}, {"Origin", us.origin}};
+  CHECK(ask(us.port, "POST", "/api/upload?name=a.off", no_secret, torus_file()).status == 401);
+  CHECK(ask(us.port, "GET", "/api/download?what=obj", no_secret).status == 401);
+  CHECK(ask(us.port, "GET", "/api/nothing", no_secret).status == 401);
+  // Not even with the secret does another origin get in.
+  const Headers foreign{
+      {"Host", us.host}, {"Origin", "http://evil.example"}, {"Authorization", "Bearer " + us.secret}};
   CHECK(ask(us.port, "POST", "/api/upload?name=a.off", foreign, torus_file()).status == 403);
-  const Headers no_origin{{"Host", us.host}, {"Cookie", us.cookie}};
+  const Headers no_origin{{"Host", us.host}, {"Authorization", "Bearer " + us.secret}};
   CHECK(ask(us.port, "POST", "/api/upload?name=a.off", no_origin, torus_file()).status == 403);
   CHECK(ask(us.port, "POST", "/api/upload?name=a.off", us.headers(), torus_file()).status == 200);
 }
@@ -175,7 +199,7 @@ TEST_CASE("malformed and oversized requests are refused") {
   const Server server(folder.path(""), 0, limits);
   const Visitor us = enter(server.url());
   const std::string host =
-      "Host: " + us.host + "\r\nOrigin: " + us.origin + "\r\nCookie: " + us.cookie + "\r\n";
+      "Host: " + us.host + "\r\nOrigin: " + us.origin + "\r\nAuthorization: Bearer " + us.secret + "\r\n";
   const std::vector<std::pair<std::string, int>> table{
       {"nonsense\r\n\r\n", 400},
       {"GET / HTTP/9.9\r\n" + host + "\r\n", 400},
@@ -197,7 +221,9 @@ TEST_CASE("malformed and oversized requests are refused") {
        413},
       {"POST /api/upload HTTP/1.1\r\n" + host + "Content-Length: 5\r\n\r\nhello", 422},
       {"POST /api/enter HTTP/1.1\r\n" + host + "Content-Length: 5000\r\n\r\n", 413},
-      {"GET /api/socket HTTP/1.1\r\n" + host + "\r\n", 426},
+      {"GET /api/socket HTTP/1.1\r\n" + host + "\r\n", 401}, // the secret stands elsewhere there
+      {"GET /api/socket HTTP/1.1\r\n" + host + "Sec-WebSocket-Protocol: reebquad, " + us.secret + "\r\n\r\n",
+       426},
   };
   for (const auto& [text, status] : table) {
     CAPTURE(text.substr(0, 300));
@@ -326,4 +352,70 @@ TEST_CASE("the next run of the program offers the session, and brings it back wi
   CHECK(page.wait_for("event", "state")["last_session"]["edits"] == 2);
   REQUIRE(page.request({{"id", 1}, {"command", "restore"}})["ok"] == true);
   CHECK(ask(us.port, "GET", "/api/download?what=obj", us.headers()).body == before);
+}
+
+TEST_CASE("strangers who take all connections do not shut the user out") {
+  const Temporary_folder folder;
+  Limits limits;
+  limits.connections = 8;
+  const Server server(folder.path(""), 0, limits);
+  const Visitor us = enter(server.url());
+  Page_socket page(us);
+  std::vector<std::unique_ptr<Raw_socket>> strangers;
+  for (int i = 0; i < 40; ++i) {
+    strangers.push_back(std::make_unique<Raw_socket>(us.port));
+    if (i % 2 == 0)
+      strangers.back()->send("POST /api/enter HTTP/1.1\r\nHost: " + us.host + "\r\nOrigin: " + us.origin +
+                             "\r\nContent-Length: 64\r\n\r\n0");
+  }
+  CHECK(page.request({{"id", 1}, {"command", "list_files"}})["ok"] == true);
+  CHECK(ask(us.port, "POST", "/api/upload?name=t.off", us.headers(), torus_file()).status == 200);
+  Page_socket second(us);
+  CHECK(second.opening.status == 101);
+}
+
+TEST_CASE("two studios in one folder are told") {
+  const Temporary_folder folder;
+  const auto first = std::make_unique<Server>(folder.path(""), 0);
+  CHECK_THROWS_WITH(Server(folder.path(""), 0), Catch::Contains("another studio works in this folder"));
+}
+
+TEST_CASE("each mesh has its session, opening it brings that back, and no file is written over unasked") {
+  const Temporary_folder folder;
+  folder.write("a.off", torus_file());
+  folder.write("b.off", torus_file() + "# another\n");
+  std::string quads;
+  {
+    const Server server(folder.path(""), 0);
+    const Visitor us = enter(server.url());
+    Page_socket page(us);
+    REQUIRE(page.request({{"id", 1}, {"command", "open_file"}, {"name", "a.off"}})["ok"] == true);
+    REQUIRE(page.request({{"id", 2}, {"command", "edit"}, {"edit", {{"edit", "suggest"}}}})["ok"] == true);
+    REQUIRE(page.request(
+                {{"id", 3}, {"command", "edit"}, {"edit", {{"edit", "set_target"}, {"quads", 500}}}})["ok"] ==
+            true);
+    for (const char* command : {"export", "save_recipe"})
+      for (const bool replace : {false, true})
+        CHECK(page.request(
+                  {{"id", 4}, {"command", command}, {"name", "a.off"}, {"replace", replace}})["ok"] == false);
+    REQUIRE(page.request({{"id", 5}, {"command", "export"}, {"name", "q.obj"}})["ok"] == true);
+    quads = contents(folder.path("q.obj"));
+    CHECK(page.request({{"id", 6}, {"command", "export"}, {"name", "q.obj"}})["ok"] == false);
+    CHECK(page.request({{"id", 7}, {"command", "export"}, {"name", "q.obj"}, {"replace", true}})["ok"] ==
+          true);
+    REQUIRE(page.request({{"id", 8}, {"command", "open_file"}, {"name", "b.off"}})["ok"] == true);
+    REQUIRE(page.request({{"id", 9}, {"command", "edit"}, {"edit", {{"edit", "suggest"}}}})["ok"] == true);
+  }
+  CHECK(contents(folder.path("a.off")) == torus_file());
+  const Server server(folder.path(""), 0);
+  const Visitor us = enter(server.url());
+  Page_socket page(us);
+  const nlohmann::json state = page.wait_for("event", "state");
+  REQUIRE(state["sessions"].size() == 2);
+  CHECK(state["sessions"][0]["name"] == "b.off");
+  CHECK(state["last_session"]["name"] == "b.off");
+  REQUIRE(page.request({{"id", 1}, {"command", "open_file"}, {"name", "a.off"}})["ok"] == true);
+  CHECK(page.last_state["applied"] == 2);
+  REQUIRE(page.request({{"id", 2}, {"command", "export"}, {"name", "again.obj"}})["ok"] == true);
+  CHECK(contents(folder.path("again.obj")) == quads);
 }

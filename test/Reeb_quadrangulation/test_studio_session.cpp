@@ -10,6 +10,7 @@
 #include "view/Frame.h"
 #include "view/Frame_patch.h"
 
+#include <algorithm>
 #include <csignal>
 #include <future>
 #include <sys/wait.h>
@@ -187,7 +188,7 @@ TEST_CASE("only files inside the folder have a path") {
 }
 
 TEST_CASE("a session is never lost, whenever the process is killed") {
-  constexpr int kills = 200;
+  constexpr int kills = 500;
   const Temporary_folder place;
   const Folder folder(place.path(""));
   const Store store(folder);
@@ -202,7 +203,7 @@ TEST_CASE("a session is never lost, whenever the process is killed") {
       for (int n = last + 1;; ++n) {
         Saved_session session;
         session.name = "mesh.obj";
-        const std::string bytes = mesh + std::to_string(n / 3); // another mesh every third time
+        const std::string bytes = mesh + std::to_string(n / 3 % 5); // another mesh every third time
         session.bytes = bytes.size();
         session.digest = digest(bytes);
         Saved_part part;
@@ -226,51 +227,122 @@ TEST_CASE("a session is never lost, whenever the process is killed") {
     waitpid(child, &status, 0);
     REQUIRE(WIFSIGNALED(status));
 
-    const std::optional<Saved_session> session = store.load();
-    REQUIRE(session);
-    last = session->parts.at(0).edits.back().get<int>();
+    last = 0;
+    for (const Saved_session& session : store.sessions()) {
+      last = std::max(last, session.parts.at(0).edits.back().get<int>());
+      CHECK(bool(store.load_mesh(session)));
+    }
     CHECK(last >= saved);
     CHECK(last <= saved + 1);
-    CHECK(bool(store.load_mesh(*session)));
+    CHECK(store.unreadable().empty());
   }
 }
 
-TEST_CASE("a damaged or foreign session file is as none, and a changed mesh is told") {
+namespace {
+
+Saved_session session_of(const std::string& name, const std::string& bytes, int edits = 1) {
+  Saved_session session;
+  session.name = session.file = name;
+  session.bytes = bytes.size();
+  session.digest = digest(bytes);
+  Saved_part part;
+  for (int i = 0; i < edits; ++i) part.edits.push_back({{"edit", "suggest"}});
+  session.parts = {part};
+  return session;
+}
+
+} // namespace
+
+TEST_CASE("a damaged or foreign session file is as none, stays as it is, and a changed mesh is told") {
   const Temporary_folder place;
   const Store store((Folder(place.path(""))));
   CHECK(!store.load());
   place.write("mesh.obj", "v 0 0 0\n");
-  Saved_session session;
-  session.name = session.file = "mesh.obj";
-  session.bytes = 8;
-  session.digest = digest("v 0 0 0\n");
+  const Saved_session session = session_of("mesh.obj", "v 0 0 0\n");
   REQUIRE(store.save(session));
   REQUIRE(store.load());
   CHECK(bool(store.load_mesh(*store.load())));
   place.write("mesh.obj", "v 0 0 1\n");
   CHECK(!store.load_mesh(*store.load()));
-  const std::string good = contents(place.path(".reebquad/session.json"));
+  const std::string name = ".reebquad/session-" + session.digest + ".json", good = contents(place.path(name));
+  const std::string head = R"({"name":"a","file":"","bytes":1,"digest":"0123456789abcdef",)";
   for (
       const std::string& bad :
       {std::string(), std::string("{}"), std::string("[1,2"), good.substr(0, good.size() / 2),
        std::string(R"({"version":2,"name":1,"file":"","bytes":1,"digest":"","component":1,"parts":[]})"),
        std::string(
            R"({"version":2,"name":"a","file":"","bytes":1,"digest":"../../../etc/pwd","component":1,"parts":[]})"),
-       std::string(
-           R"({"version":1,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","component":1,"parts":[]})"),
-       std::string(
-           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","component":0,"parts":[]})"),
-       std::string(
-           R"({"version":2,"name":"a","file":"","bytes":1,"digest":"0123456789abcdef","component":1,"parts":[{"component":1,"edits":[],"applied":7}]})")}) {
-    place.write(".reebquad/session.json", bad);
+       head + R"("version":1,"component":1,"parts":[]})", head + R"("version":3,"component":1,"parts":[]})",
+       head + R"("version":2,"component":0,"parts":[]})",
+       head + R"("version":2,"component":1,"parts":[{"component":1,"edits":[],"applied":7}]})",
+       head + R"("version":2,"component":1,"parts":[{"component":1,"applied":0,"edits":[)" +
+           std::string(1000000, '[') + std::string(1000000, ']') + "]}]}"}) {
+    place.write(name, bad);
     CHECK(!store.load());
+    CHECK(store.unreadable() == std::vector<std::string>{name});
+    const Result<std::string> kept = store.set_aside(session.digest);
+    REQUIRE(kept);
+    CHECK(contents(place.path(*kept)) == bad);
+    REQUIRE(store.save(session));
+    CHECK(contents(place.path(*kept)) == bad);
+    CHECK(store.load());
   }
   // A session that names a file outside is not followed.
-  place.write(
-      ".reebquad/session.json",
-      R"({"version":2,"name":"a","file":"../../etc/passwd","bytes":1,"digest":"0123456789abcdef","component":1,"parts":[]})");
+  place.write(name, R"({"version":2,"name":"a","file":"../../etc/passwd","bytes":1,)"
+                    R"("digest":"0123456789abcdef","component":1,"parts":[]})");
   REQUIRE(store.load());
   CHECK(!store.load_mesh(*store.load()));
+}
+
+TEST_CASE("each mesh has a session of its own, also that of the time when there was only one") {
+  const Temporary_folder place;
+  const Store store((Folder(place.path(""))));
+  const Saved_session a = session_of("a.off", "OFF a", 3), b = session_of("b.off", "OFF b", 2);
+  REQUIRE(store.save(a));
+  std::filesystem::rename(place.path(".reebquad/session-" + a.digest + ".json"),
+                          place.path(".reebquad/session.json"));
+  REQUIRE(store.save(b));
+  REQUIRE(store.sessions().size() == 2);
+  REQUIRE(store.load(a.digest));
+  CHECK(store.load(a.digest)->number_of_edits() == 3);
+  CHECK(store.load(b.digest)->number_of_edits() == 2);
+  REQUIRE(store.save(a)); // under its new name, and only there
+  CHECK(!std::filesystem::exists(place.path(".reebquad/session.json")));
+  CHECK(store.sessions().size() == 2);
+  store.forget(a.digest);
+  REQUIRE(store.sessions().size() == 1);
+  CHECK(store.load()->name == "b.off");
+}
+
+TEST_CASE("links and folders of others do not lead the store out of the folder") {
+  const Temporary_folder place, outside;
+  const std::string secret = outside.write("bashrc", "secret");
+  outside.write("mesh-0123456789abcdef", "kept");
+  const Saved_session session = session_of("a.off", "OFF a");
+  const Store store((Folder(place.path(""))));
+  SECTION("the folder is a link") {
+    std::filesystem::permissions(outside.path(""), std::filesystem::perms(0755));
+    std::filesystem::create_symlink(outside.path(""), place.path(".reebquad"));
+    CHECK(!store.save(session));
+    CHECK(!store.save_upload(session, "bytes"));
+    store.forget("0123456789abcdef");
+    CHECK(!store.load());
+    CHECK(contents(outside.path("mesh-0123456789abcdef")) == "kept");
+    CHECK(std::filesystem::status(outside.path("")).permissions() == std::filesystem::perms(0755));
+    CHECK(std::distance(std::filesystem::directory_iterator(outside.path("")), {}) == 2);
+  }
+  SECTION("a file in it is a link") {
+    std::filesystem::create_directory(place.path(".reebquad"));
+    const std::string name = place.path(".reebquad/session-" + session.digest + ".json");
+    std::filesystem::create_symlink(secret, name);
+    std::filesystem::create_symlink(secret, place.path(".reebquad/mesh-" + session.digest));
+    CHECK(!store.load());
+    REQUIRE(store.save(session));
+    REQUIRE(store.save_upload(session, "bytes"));
+    CHECK(std::filesystem::is_regular_file(std::filesystem::symlink_status(name)));
+    CHECK(store.load());
+  }
+  CHECK(contents(secret) == "secret");
 }
 
 TEST_CASE("work is cancelled within a quarter of a second, and by the edit that replaces it") {

@@ -8,6 +8,16 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
+const char* name(Hint_kind kind) {
+  switch (kind) {
+  case Hint_kind::uncovered_limb: return "uncovered_limb";
+  case Hint_kind::thin_chart: return "thin_chart";
+  case Hint_kind::sharp_edge: return "sharp_edge";
+  case Hint_kind::saddle: return "saddle";
+  }
+  return "";
+}
+
 std::string to_json(const std::vector<Hint>& hints) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();

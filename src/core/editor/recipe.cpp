@@ -467,13 +467,5 @@ const char* name(Pole_kind kind) {
   return Names<Pole_kind>::of[int(kind)];
 }
 
-Recipe recipe_of(const Editor& editor) {
-  Recipe recipe;
-  recipe.options = editor.options();
-  recipe.options.threads = 0;
-  recipe.edits.assign(editor.edits().begin(), editor.edits().begin() + editor.position());
-  return recipe;
-}
-
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -8,7 +8,9 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace reebquad {
 namespace studio {
@@ -61,10 +63,27 @@ std::string plain_name(const std::string& name) {
   return plain.empty() ? "mesh" : plain;
 }
 
-class Http_connection : public std::enable_shared_from_this<Http_connection> {
+/// The secret in the value of an `Authorization` header.
+std::string_view bearer(std::string_view value) {
+  constexpr std::string_view scheme = "Bearer ";
+  return value.substr(0, scheme.size()) == scheme ? value.substr(scheme.size()) : std::string_view();
+}
+
+/// A page cannot add headers to a WebSocket's handshake, but name protocols: ours, and the secret.
+std::string_view offered_secret(std::string_view protocols) {
+  const std::string first = std::string(socket_protocol) + ",";
+  if (protocols.substr(0, first.size()) != first) return {};
+  protocols.remove_prefix(first.size());
+  while (!protocols.empty() && protocols.front() == ' ') protocols.remove_prefix(1);
+  return protocols;
+}
+
+class Http_connection : public Guest, public std::enable_shared_from_this<Http_connection> {
 public:
   Http_connection(asio::ip::tcp::socket socket, Shared& shared)
-      : m_stream(std::move(socket)), m_shared(shared), m_place(shared) {}
+      : m_stream(std::move(socket)), m_shared(shared), m_place(shared, this) {}
+
+  void send_away() override { m_stream.close(); }
 
   void read_header() {
     m_parser.emplace();
@@ -107,9 +126,17 @@ private:
     const bool needs_origin = r.method() != http::verb::get || path() == "/api/socket";
     if (needs_origin && !m_shared.gate.origin_is_ours(header(http::field::origin)))
       return refuse(http::status::forbidden, "the origin is missing");
-    if (path() != "/api/enter" && !m_shared.gate.cookie_opens(header(http::field::cookie)))
+    if (path() != "/api/enter" && !has_secret())
       return refuse(http::status::unauthorized, "open the address that the program printed");
     serve_api();
+  }
+
+  bool has_secret() {
+    const std::string shown = path() == "/api/socket"
+                                  ? std::string(offered_secret(header(http::field::sec_websocket_protocol)))
+                                  : std::string(bearer(header(http::field::authorization)));
+    is_known = m_shared.gate.secret_opens(shown);
+    return is_known;
   }
 
   void serve_asset() {
@@ -139,7 +166,8 @@ private:
     m_parser->body_limit(limit);
     const auto length = m_parser->content_length();
     if (length && *length > limit) return refuse(http::status::payload_too_large, "the file is too large");
-    m_body_deadline = std::chrono::steady_clock::now() + m_shared.limits.upload_time;
+    m_body_deadline = std::chrono::steady_clock::now() +
+                      (is_known ? m_shared.limits.upload_time : m_shared.limits.header_time);
     if (header(http::field::expect) == "100-continue")
       return refuse(http::status::expectation_failed, "send the body at once");
     read_more();
@@ -147,8 +175,9 @@ private:
 
   void read_more() {
     if (m_parser->is_done()) return (this->*m_handler)();
-    if (std::chrono::steady_clock::now() > m_body_deadline) return close();
-    m_stream.expires_after(m_shared.limits.quiet_time);
+    const auto now = std::chrono::steady_clock::now();
+    if (now > m_body_deadline) return close();
+    m_stream.expires_at(std::min(now + m_shared.limits.quiet_time, m_body_deadline));
     http::async_read_some(m_stream, m_buffer, *m_parser,
                           [self = shared_from_this()](beast::error_code failed, std::size_t) {
                             if (failed) return self->fail_reading(failed);
@@ -157,10 +186,9 @@ private:
   }
 
   void enter() {
-    const std::string& token = request().body();
-    if (!m_shared.gate.token_opens(token)) return refuse(http::status::forbidden, "the token is wrong");
-    m_cookie = m_shared.gate.set_cookie();
-    answer(http::status::ok, "application/json", "{}");
+    if (!m_shared.gate.token_opens(request().body()))
+      return refuse(http::status::forbidden, "the address was used already, is too old, or of another run");
+    answer(http::status::ok, "application/json", Json{{"secret", m_shared.gate.secret()}}.dump());
   }
 
   void upload() {
@@ -187,7 +215,7 @@ private:
   void become_socket() {
     if (!boost::beast::websocket::is_upgrade(request()))
       return refuse(http::status::upgrade_required, "a WebSocket is expected");
-    serve_socket(std::move(m_stream), m_parser->release(), m_shared, std::move(m_place));
+    serve_socket(std::move(m_stream), m_parser->release(), m_shared);
   }
 
   /// Answers and closes the connection: the rest of what was refused is not read.
@@ -210,8 +238,6 @@ private:
     r.set("Cross-Origin-Opener-Policy", "same-origin");
     r.set("Cross-Origin-Resource-Policy", "same-origin");
     r.set(http::field::cache_control, "no-store");
-    if (!m_cookie.empty()) r.set(http::field::set_cookie, m_cookie);
-    m_cookie.clear();
     r.keep_alive(m_keep);
     r.body() = std::move(body);
     r.prepare_payload();
@@ -267,13 +293,22 @@ private:
   std::optional<http::response_serializer<http::string_body>> m_serializer;
   std::chrono::steady_clock::time_point m_body_deadline;
   Handler m_handler = nullptr;
-  std::string m_cookie;
   bool m_keep = true;
   std::array<char, 4096> m_rest{};
   std::size_t m_drained = 0;
 };
 
 } // namespace
+
+bool Guests::make_room(std::size_t most) {
+  if (m_guests.size() < most) return true;
+  for (Guest* guest : m_guests)
+    if (!guest->is_known && !std::exchange(guest->is_known, true)) { // counts no more
+      guest->send_away();
+      return true;
+    }
+  return false;
+}
 
 void serve_connection(asio::ip::tcp::socket socket, Shared& shared) {
   std::make_shared<Http_connection>(std::move(socket), shared)->read_header();

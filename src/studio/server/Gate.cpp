@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <sys/random.h>
 #include <system_error>
+#include <utility>
 
 namespace reebquad {
 namespace studio {
@@ -36,25 +37,33 @@ bool equal_in_constant_time(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-Gate::Gate(unsigned short port)
-    : m_host("127.0.0.1:" + std::to_string(port)), m_cookie_name("reebquad-" + std::to_string(port)),
-      m_token(random_secret()), m_cookie_secret(random_secret()) {}
-
-bool Gate::cookie_opens(std::string_view cookies) const {
-  while (!cookies.empty()) {
-    const std::size_t end = std::min(cookies.find(';'), cookies.size());
-    std::string_view cookie = cookies.substr(0, end);
-    cookies.remove_prefix(std::min(end + 1, cookies.size()));
-    while (!cookie.empty() && cookie.front() == ' ') cookie.remove_prefix(1);
-    const std::size_t sign = cookie.find('=');
-    if (sign == std::string_view::npos || cookie.substr(0, sign) != m_cookie_name) continue;
-    if (equal_in_constant_time(cookie.substr(sign + 1), m_cookie_secret)) return true;
-  }
-  return false;
+Gate::Gate(unsigned short port, std::string secret, Clock::duration token_life)
+    : m_host("127.0.0.1:" + std::to_string(port)), m_secret(std::move(secret)), m_token_life(token_life) {
+  renew_token();
 }
 
-std::string Gate::set_cookie() const {
-  return m_cookie_name + "=" + m_cookie_secret + "; Path=/; HttpOnly; SameSite=Strict";
+std::string Gate::url() const {
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  return origin() + "/#token=" + m_token;
+}
+
+bool Gate::awaits_visitor() const {
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  return !m_token_is_used && Clock::now() < m_token_end;
+}
+
+void Gate::renew_token() {
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  m_token = random_secret();
+  m_token_end = Clock::now() + m_token_life;
+  m_token_is_used = false;
+}
+
+bool Gate::token_opens(std::string_view token) {
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  if (m_token_is_used || Clock::now() >= m_token_end || !equal_in_constant_time(token, m_token)) return false;
+  m_token_is_used = true;
+  return true;
 }
 
 std::string Gate::content_security_policy() const {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace reebquad {
 namespace studio {
@@ -51,11 +52,26 @@ std::string extension_of(const std::string& name) {
   return dot == std::string::npos ? "" : name.substr(dot + 1);
 }
 
-/// Writes what the session gives into a file of the user's folder.
-Result<Json> save(const Session& session, const std::string& name, const Result<std::string>& bytes) {
+bool is_true(const Json& body, const char* name) {
+  const auto member = body.find(name);
+  return member != body.end() && *member == true;
+}
+
+/// Writes what the session gives into a file of the user's folder; an existing one is kept, unless the page
+/// says otherwise.
+Result<Json> save(const Session& session, const Json& body, const Result<std::string>& bytes) {
+  const std::string name = body["name"];
+  const bool replaces = is_true(body, "replace");
   if (!bytes) return bytes.error();
   Result<std::string> path = session.folder().resolve(name);
   if (!path) return path.error();
+  const auto refused = [&](const char* why) {
+    return make_error(Error_code::impossible_request, name + ": " + why);
+  };
+  if (session.is_open_file(*path)) return refused("this is the mesh that is open; give another name");
+  std::error_code failed;
+  if (!replaces && std::filesystem::exists(*path, failed))
+    return refused("there is such a file already; give another name, or say that it is to be replaced");
   Result<void> written = CGAL::Reeb_quadrangulation::write_file_atomically(*path, *bytes);
   if (!written) return written.error();
   return Json{{"name", name}};
@@ -67,9 +83,10 @@ std::int64_t integer(const Json& body, const char* name) {
   return member != body.end() && member->is_number_integer() ? member->get<std::int64_t>() : 0;
 }
 
-bool is_live(const Json& body) {
-  const auto live = body.find("live");
-  return live != body.end() && *live == true;
+/// An optional text member, or "".
+std::string text(const Json& body, const char* name) {
+  const auto member = body.find(name);
+  return member != body.end() && member->is_string() ? member->get<std::string>() : "";
 }
 
 Result<Json> execute(Session& session, const Request& request, Worker::Observer& observer) {
@@ -78,18 +95,19 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   case Command::list_files: return list_files(session.folder());
   case Command::open_file: return done(session.open_file(body["name"], observer));
   case Command::component: return done(session.choose(body["component"], observer));
-  case Command::restore: return done(session.restore(observer));
-  case Command::forget: session.forget(); return Json::object();
-  case Command::edit: return session.edit(body["edit"], observer, integer(body, "drag"), is_live(body));
+  case Command::restore: return done(session.restore(observer, text(body, "digest")));
+  case Command::forget: session.forget(text(body, "digest")); return Json::object();
+  case Command::edit:
+    return session.edit(body["edit"], observer, integer(body, "drag"), is_true(body, "live"));
   case Command::preview: return session.preview(body["edit"], observer);
   case Command::hints: return session.hints(observer);
   case Command::undo: return done(session.undo());
   case Command::redo: return done(session.redo());
   case Command::go_to: return done(session.go_to(int(std::clamp<std::int64_t>(body["step"], -1, 1 << 30))));
   case Command::certify: return done(session.certify(observer));
-  case Command::save_recipe: return save(session, body["name"], session.recipe());
+  case Command::save_recipe: return save(session, body, session.recipe());
   case Command::export_quads:
-    return save(session, body["name"], session.export_quads(extension_of(body["name"]), observer));
+    return save(session, body, session.export_quads(extension_of(body["name"]), observer));
   case Command::cancel: // by the hub, at once
   case Command::chart: break;
   }
@@ -204,7 +222,7 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
     });
     return Json::object();
   };
-  const bool live = request.command == Command::edit && is_live(request.body);
+  const bool live = request.command == Command::edit && is_true(request.body, "live");
   Standing standing;
   standing.replaceable = request.command == Command::preview || request.command == Command::hints || live;
   // Only looking makes nothing out of date.
@@ -216,6 +234,13 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
 void Hub::open_file(const std::string& name) {
   enqueue([name](Session& session,
                  Worker::Observer& observer) { return done(session.open_file(name, observer)); },
+          [this](Result<Json> result) {
+            if (!result) broadcast("", {{"event", "trouble"}, {"message", result.error().message}});
+          });
+}
+
+void Hub::resume() {
+  enqueue([](Session& session, Worker::Observer& observer) { return done(session.resume(observer)); },
           [this](Result<Json> result) {
             if (!result) broadcast("", {{"event", "trouble"}, {"message", result.error().message}});
           });
@@ -253,8 +278,8 @@ void Hub::download(std::string what, Download done_) {
       });
 }
 
-// A layer that is the same as before keeps its bytes, and so nobody is sent it again; but with a new surface the values on it are
-// sent anew.
+// A layer that is the same as before keeps its bytes, and so nobody is sent it again; but with a new surface
+// the values on it are sent anew.
 void Hub::publish_from_worker() {
   if (m_session->revision() == m_published) return;
   m_published = m_session->revision();

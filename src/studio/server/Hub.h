@@ -35,6 +35,8 @@ public:
 
   /// Opens a mesh file of the user's folder, as if a page had asked for it.
   void open_file(const std::string& name);
+  /// Brings back what was open last, if there is anything.
+  void resume();
   void upload(std::string name, std::string bytes, Download done);
   /// `what` is "recipe", "html" or the extension of a mesh format.
   void download(std::string what, Download done);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "server/Request.h"
 
+#include "view/Bounded_json.h"
+
 #include <array>
 
 namespace reebquad {
@@ -54,22 +56,12 @@ CGAL::Reeb_quadrangulation::Error malformed(const std::string& sentence) {
   return make_error(Error_code::malformed_file, sentence);
 }
 
-/// The JSON value of a text, or a discarded one.
-Json parse(std::string_view text, bool& too_deep) {
-  const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > deepest_nesting) too_deep = true;
-    return !too_deep;
-  };
-  Json value = Json::parse(text.begin(), text.end(), watch, false);
-  return too_deep ? Json(Json::value_t::discarded) : value;
-}
-
 } // namespace
 
 Result<Request> parse_request(std::string_view text) {
   if (text.size() > longest_request) return malformed("the message is longer than 1 MiB");
   bool too_deep = false;
-  Json body = parse(text, too_deep);
+  Json body = parse_bounded(text, deepest_nesting, &too_deep);
   if (too_deep) return malformed("the message is nested too deeply");
   if (body.is_discarded() || !body.is_object()) return malformed("the message is not a JSON object");
   const auto id = body.find("id");
@@ -94,8 +86,7 @@ Result<Request> parse_request(std::string_view text) {
 }
 
 std::int64_t request_id(std::string_view text) {
-  bool too_deep = false;
-  const Json body = parse(text, too_deep);
+  const Json body = parse_bounded(text, deepest_nesting);
   if (!body.is_object()) return -1;
   const auto id = body.find("id");
   return id != body.end() && id->is_number_integer() ? id->get<std::int64_t>() : -1;

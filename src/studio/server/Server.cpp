@@ -9,7 +9,6 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include <optional>
-#include <system_error>
 #include <thread>
 
 namespace reebquad {
@@ -19,11 +18,14 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 struct Server::Implementation {
-  Implementation(const std::filesystem::path& folder, unsigned short port, const Limits& limits)
-      : acceptor(context), retry(context) {
-    listen(port);
-    shared.emplace(Folder(folder), acceptor.local_endpoint().port(), limits,
+  Implementation(const Doorway& doorway, const Start& start, const Limits& limits)
+      : acceptor(context, tcp::v4(), doorway.socket()), retry(context) {
+    shared.emplace(doorway, limits,
                    [this](std::function<void()> task) { asio::post(context, std::move(task)); });
+    if (start.resumes)
+      shared->hub.resume();
+    else if (!start.file.empty())
+      shared->hub.open_file(start.file);
     accept();
     thread = std::thread([this] { context.run(); });
   }
@@ -34,22 +36,10 @@ struct Server::Implementation {
     shared->hub.stop();
   }
 
-  void listen(unsigned short port) {
-    boost::system::error_code failed;
-    const tcp::endpoint loopback(asio::ip::address_v4::loopback(), port);
-    acceptor.open(loopback.protocol(), failed);
-    if (!failed) acceptor.set_option(tcp::acceptor::reuse_address(true), failed);
-    if (!failed) acceptor.bind(loopback, failed);
-    if (!failed) acceptor.listen(128, failed);
-    if (failed)
-      throw std::system_error(failed.value(), std::generic_category(),
-                              "port " + std::to_string(port) + " cannot be used");
-  }
-
   void accept() {
     acceptor.async_accept([this](boost::system::error_code failed, tcp::socket socket) {
       if (failed) return accept_later(); // too many open files, say
-      if (shared->connections < shared->limits.connections) {
+      if (shared->guests.make_room(shared->limits.connections)) {
         boost::system::error_code ignored;
         socket.set_option(tcp::no_delay(true), ignored);
         serve_connection(std::move(socket), *shared);
@@ -71,8 +61,12 @@ struct Server::Implementation {
   std::thread thread;
 };
 
+Server::Server(const Doorway& doorway, const Start& start, const Limits& limits)
+    : m_implementation(std::make_unique<Implementation>(doorway, start, limits)) {}
+
 Server::Server(const std::filesystem::path& folder, unsigned short port, const Limits& limits)
-    : m_implementation(std::make_unique<Implementation>(folder, port, limits)) {}
+    : m_doorway(std::make_unique<Doorway>(folder, port)),
+      m_implementation(std::make_unique<Implementation>(*m_doorway, Start(), limits)) {}
 
 Server::~Server() = default;
 
@@ -84,9 +78,12 @@ std::string Server::url() const {
   return m_implementation->shared->gate.url();
 }
 
-void Server::open_file(const std::string& name) {
-  Implementation& i = *m_implementation;
-  asio::post(i.context, [&i, name] { i.shared->hub.open_file(name); });
+bool Server::awaits_visitor() const {
+  return m_implementation->shared->gate.awaits_visitor();
+}
+
+void Server::renew_token() {
+  m_implementation->shared->gate.renew_token();
 }
 
 } // namespace studio

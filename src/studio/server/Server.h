@@ -2,6 +2,8 @@
 #ifndef REEBQUAD_SERVER_SERVER_H
 #define REEBQUAD_SERVER_SERVER_H
 
+#include "server/Doorway.h"
+
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -16,17 +18,27 @@ struct Limits {
   std::size_t connections = 256;
   std::size_t header_bytes = 16 << 10;
   std::uint64_t upload_bytes = std::uint64_t(1) << 30;
-  std::chrono::milliseconds header_time{
-      10000}; ///< for a whole request header, also while a connection is kept
+  /// For a whole request header, also while a connection is kept, and for a body of someone unknown.
+  std::chrono::milliseconds header_time{10000};
+  std::chrono::milliseconds token_life{600000};
   std::chrono::milliseconds quiet_time{15000}; ///< within a body, or while an answer is taken
   std::chrono::milliseconds upload_time{600000};
   std::chrono::milliseconds socket_idle_time{60000}; ///< pages answer pings within it
 };
 
-/// The studio's HTTP and WebSocket server on the loopback address: one thread for the sockets, one for the work.
+/// What the server does before anyone asks.
+struct Start {
+  std::string file; ///< a mesh file of the folder, by its name relative to it, that is opened; empty: none
+  bool resumes = false; ///< brings back what was open last, if there is anything
+};
+
+/// The studio's HTTP and WebSocket server on the loopback address: one thread for the sockets, one for the
+/// work.
 class Server {
 public:
-  /// Listens, on a free port if `port` is 0. Throws `std::system_error` if the port is taken.
+  /// Serves at a doorway, which must outlive it.
+  Server(const Doorway& doorway, const Start& start, const Limits& limits = {});
+  /// At a doorway of its own; throws as that does.
   Server(const std::filesystem::path& folder, unsigned short port, const Limits& limits = {});
   /// Stops listening, closes all connections and ends the work.
   ~Server();
@@ -34,13 +46,16 @@ public:
   Server& operator=(const Server&) = delete;
 
   unsigned short port() const;
-  /// The address of the page with the token that opens it.
+  /// The address of the page with the token that opens it, once.
   std::string url() const;
-  /// Opens a mesh file of the folder, by its name relative to it.
-  void open_file(const std::string& name);
+  /// Whether nobody has come in with that token, and it still opens.
+  bool awaits_visitor() const;
+  /// Another token takes its place.
+  void renew_token();
 
 private:
   struct Implementation;
+  std::unique_ptr<Doorway> m_doorway; ///< if it is its own
   std::unique_ptr<Implementation> m_implementation;
 };
 

@@ -13,10 +13,16 @@ namespace websocket = boost::beast::websocket;
 
 namespace {
 
-class Socket_connection : public Client, public std::enable_shared_from_this<Socket_connection> {
+class Socket_connection : public Client,
+                          public Guest,
+                          public std::enable_shared_from_this<Socket_connection> {
 public:
-  Socket_connection(beast::tcp_stream stream, Shared& shared, Place place)
-      : m_socket(std::move(stream)), m_shared(shared), m_place(std::move(place)) {}
+  Socket_connection(beast::tcp_stream stream, Shared& shared)
+      : m_socket(std::move(stream)), m_shared(shared), m_place(shared, this) {
+    is_known = true;
+  }
+
+  void send_away() override { leave(); }
 
   void accept(const beast::http::request<beast::http::string_body>& request) {
     // From here on the WebSocket's own limits of time hold.
@@ -29,6 +35,9 @@ public:
     websocket::permessage_deflate compression;
     compression.client_enable = compression.server_enable = false;
     m_socket.set_option(compression);
+    m_socket.set_option(websocket::stream_base::decorator([](websocket::response_type& answer) {
+      answer.set(beast::http::field::sec_websocket_protocol, socket_protocol);
+    }));
     m_socket.read_message_max(longest_request);
     m_socket.auto_fragment(false);
     m_socket.async_accept(request, [self = shared_from_this()](beast::error_code failed) {
@@ -100,8 +109,8 @@ private:
 } // namespace
 
 void serve_socket(beast::tcp_stream stream, beast::http::request<beast::http::string_body> request,
-                  Shared& shared, Place place) {
-  std::make_shared<Socket_connection>(std::move(stream), shared, std::move(place))->accept(request);
+                  Shared& shared) {
+  std::make_shared<Socket_connection>(std::move(stream), shared)->accept(request);
 }
 
 } // namespace studio

@@ -13,8 +13,7 @@ namespace studio {
 
 /// Answers the request for a WebSocket, which the gate has let in, and joins the page to the hub.
 void serve_socket(boost::beast::tcp_stream stream,
-                  boost::beast::http::request<boost::beast::http::string_body> request, Shared& shared,
-                  Place place);
+                  boost::beast::http::request<boost::beast::http::string_body> request, Shared& shared);
 
 } // namespace studio
 } // namespace reebquad

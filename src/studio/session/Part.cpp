@@ -100,7 +100,7 @@ Json Part::facts() const {
 
 Json Part::history() const {
   Json list = Json::array();
-  const std::vector<Json> edits = m_work->edits();
+  const std::vector<Json>& edits = m_work->edits();
   for (std::size_t i = 0; i < edits.size(); ++i)
     list.push_back({{"text", edit_text(edits[i])},
                     {"edit", edits[i]},

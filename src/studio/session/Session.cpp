@@ -4,11 +4,14 @@
 #include "session/Edit_text.h"
 #include "view/Html_report.h"
 
+#include <CGAL/Reeb_quadrangulation/IO/read_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <chrono>
+#include <filesystem>
+#include <utility>
 
 namespace reebquad {
 namespace studio {
@@ -71,6 +74,13 @@ Json defects(const Polygon_soup& soup, const Point& origin) {
   return list;
 }
 
+/// About sessions that cannot be read; empty if there are none.
+std::string notice_of(const std::vector<std::string>& unreadable) {
+  std::string names;
+  for (const std::string& name : unreadable) names += (names.empty() ? "" : ", ") + name;
+  return names.empty() ? "" : "sessions that this program cannot read are kept as they are: " + names;
+}
+
 } // namespace
 
 Session::Session(const Folder& folder) : m_folder(folder), m_store(folder) {}
@@ -79,17 +89,69 @@ Result<void> Session::open_file(const std::string& name, Observer& observer) {
   observer.progress("reading", 0);
   Result<std::string> path = m_folder.resolve(name);
   if (!path) return path.error();
-  Result<std::string> bytes = read_regular_file(*path, largest_mesh);
+  Result<std::string> bytes = read_file(*path, largest_mesh);
   if (!bytes) return make_error(bytes.error().code, name + ": " + bytes.error().message);
   Saved_session origin;
   origin.name = origin.file = name;
-  return open(std::move(origin), *bytes, observer);
+  return begin(std::move(origin), *bytes, observer);
 }
 
 Result<void> Session::open_upload(const std::string& name, const std::string& bytes, Observer& observer) {
   Saved_session origin;
   origin.name = name;
-  return open(std::move(origin), bytes, observer);
+  return begin(std::move(origin), bytes, observer);
+}
+
+// Another session takes the place of this one when all of it is there.
+Result<void> Session::begin(Saved_session origin, const std::string& bytes, Observer& observer) {
+  origin.bytes = bytes.size();
+  origin.digest = digest(bytes);
+  const std::optional<Saved_session> saved = m_store.load(origin.digest);
+  Session next(m_folder);
+  next.m_keeps = false; // what is kept stays as it is until then
+  if (Result<void> opened = next.open(origin, bytes, observer); !opened) return opened;
+  if (!saved) {
+    // A file in the way is of another version, or damaged: it may still be of use to someone.
+    Result<std::string> kept = m_store.set_aside(origin.digest);
+    if (!kept) return kept.error();
+    if (!kept->empty())
+      next.m_notice = "an earlier session of this mesh cannot be read; it is kept as " + *kept;
+  } else if (saved->number_of_edits() > 0) {
+    if (Result<void> repeated = next.repeat_all(*saved, observer); !repeated) return repeated;
+  }
+  // The page lists them only while nothing is open.
+  if (!part() && next.m_notice.empty()) next.m_notice = notice_of(m_store.unreadable());
+  if (origin.file.empty())
+    if (Result<void> kept = m_store.save_upload(origin, bytes); !kept) return kept;
+  bool has_edits = false;
+  for (const auto& each : m_parts) has_edits = has_edits || (each->work() && !each->work()->edits().empty());
+  if (part() && !has_edits && m_saved.digest != origin.digest) m_store.forget(m_saved.digest);
+  const std::int64_t revision = m_revision + next.m_revision;
+  *this = std::move(next);
+  m_keeps = true;
+  m_revision = revision;
+  save();
+  return {};
+}
+
+// What could be repeated is worth more than nothing; the sentence says where it ended, and all of it is kept.
+Result<void> Session::repeat_all(const Saved_session& saved, Observer& observer) {
+  const Stopwatch watch;
+  Json text{{"ok", true}, {"text", "your work on " + m_saved.name + " is back"}};
+  for (const Saved_part& each : saved.parts) {
+    const Result<void> done = repeat(each, observer);
+    if (done) continue;
+    if (done.error().code == Error_code::cancelled) return done;
+    Result<std::string> kept = m_store.set_aside(saved.digest);
+    if (!kept) return kept.error();
+    const std::string where = kept->empty() ? "" : "; the whole of it is kept as " + *kept;
+    text = {{"ok", false},
+            {"text", "restored up to an edit that is refused now: " + done.error().message + where}};
+  }
+  if (Result<void> chosen = choose(saved.component, observer); !chosen) return chosen;
+  text["milliseconds"] = watch.milliseconds();
+  m_last = text;
+  return {};
 }
 
 Result<void> Session::open(Saved_session origin, const std::string& bytes, Observer& observer) {
@@ -115,10 +177,6 @@ Result<void> Session::open(Saved_session origin, const std::string& bytes, Obser
   if (Result<void> begun = parts[largest]->begin(&observer); !begun) return begun;
   if (observer.cancelled()) return make_error(Error_code::cancelled, "cancelled");
 
-  origin.bytes = bytes.size();
-  origin.digest = digest(bytes);
-  if (origin.file.empty())
-    if (Result<void> kept = m_store.save_upload(origin, bytes); !kept) return kept;
   m_parts = std::move(parts);
   m_part = largest;
   m_centre = centre;
@@ -146,31 +204,19 @@ Result<void> Session::choose(std::int64_t component, Observer& observer) {
   return {};
 }
 
-Result<void> Session::restore(Observer& observer) {
-  const std::optional<Saved_session> last = m_store.load();
-  if (!last) return make_error(Error_code::unreadable_file, "there is no earlier session in this folder");
+Result<void> Session::restore(Observer& observer, const std::string& wanted) {
+  const std::optional<Saved_session> last = wanted.empty() ? m_store.load() : m_store.load(wanted);
+  if (!last) return make_error(Error_code::unreadable_file, "there is no such session in this folder");
   Result<std::string> bytes = m_store.load_mesh(*last);
   if (!bytes) return bytes.error();
-  Session restored(m_folder);
-  restored.m_keeps = false; // what is kept stays until all of it is back
   Saved_session origin = *last;
   origin.parts.clear();
-  if (Result<void> opened = restored.open(std::move(origin), *bytes, observer); !opened) return opened;
-  Json text{{"ok", true}, {"text", "the last session is back"}};
-  for (const Saved_part& part : last->parts) {
-    Result<void> done = restored.repeat(part, observer);
-    if (!done && done.error().code == Error_code::cancelled) return done;
-    // What could be repeated is worth more than nothing; the sentence says where it ended.
-    if (!done)
-      text = {{"ok", false}, {"text", "restored up to an edit that is refused now: " + done.error().message}};
-  }
-  if (Result<void> chosen = restored.choose(last->component, observer); !chosen) return chosen;
-  const std::int64_t revision = m_revision + restored.m_revision;
-  *this = std::move(restored);
-  m_keeps = true;
-  m_revision = revision;
-  m_last = text;
-  return {};
+  return begin(std::move(origin), *bytes, observer);
+}
+
+Result<void> Session::resume(Observer& observer) {
+  const std::vector<Saved_session> all = m_store.sessions();
+  return all.empty() ? Result<void>() : restore(observer, all.front().digest);
 }
 
 Result<void> Session::repeat(const Saved_part& saved, Observer& observer) {
@@ -180,8 +226,15 @@ Result<void> Session::repeat(const Saved_part& saved, Observer& observer) {
   return go_to(saved.applied);
 }
 
-void Session::forget() {
-  m_store.forget();
+void Session::forget(const std::string& wanted) {
+  const std::optional<Saved_session> last = wanted.empty() ? m_store.load() : m_store.load(wanted);
+  if (last) m_store.forget(last->digest);
+}
+
+bool Session::is_open_file(const std::string& path) const {
+  const Result<std::string> open = m_folder.resolve(m_saved.file);
+  std::error_code failed;
+  return open && std::filesystem::equivalent(*open, path, failed);
 }
 
 Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t drag, bool live) {
@@ -256,6 +309,7 @@ void Session::changed(double milliseconds, const std::string& text, bool keep) {
 }
 
 void Session::save() {
+  if (!m_notice.empty()) m_last["warning"] = std::exchange(m_notice, "");
   m_saved.component = int(m_part) + 1;
   m_saved.parts.clear();
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
@@ -375,6 +429,11 @@ Json Session::state() const {
   if (!work()) {
     const std::optional<Saved_session> last = m_store.load();
     if (last) state["last_session"] = {{"name", last->name}, {"edits", last->number_of_edits()}};
+    state["sessions"] = Json::array();
+    for (const Saved_session& each : m_store.sessions())
+      state["sessions"].push_back(
+          {{"name", each.name}, {"edits", each.number_of_edits()}, {"digest", each.digest}});
+    state["unreadable_sessions"] = m_store.unreadable();
     return state;
   }
   state["file"].update(part()->facts());

@@ -8,7 +8,8 @@
 namespace reebquad {
 namespace studio {
 
-/// One mesh and the work on its parts, one of which is worked on: what all pages that are open show. Used by the worker's thread only.
+/// One mesh and the work on its parts, one of which is worked on: what all pages that are open show. Used by
+/// the worker's thread only.
 class Session {
 public:
   using Observer = CGAL::Reeb_quadrangulation::Observer;
@@ -18,15 +19,19 @@ public:
   /// \name Changes
   /// A failed one leaves everything as it was. Every change is saved before its function returns.
   /// @{
+  /// Opening a mesh brings back what was done to it before, if there is a session of it.
   Result<void> open_file(const std::string& name, Observer& observer);
   Result<void> open_upload(const std::string& name, const std::string& bytes, Observer& observer);
   /// Works on another connected component of the mesh, counted from 1; what was done to the others stays.
   Result<void> choose(std::int64_t component, Observer& observer);
-  /// Opens the mesh of the last session and repeats its edits.
-  Result<void> restore(Observer& observer);
-  void forget();
-  /// Of the edits of one `drag` (a positive number that the page chose) only the last stays: each takes the place of the one
-  /// before. `live` ones are not saved.
+  /// Opens the mesh of the session with that digest, or of the last one if it is empty, and repeats its
+  /// edits.
+  Result<void> restore(Observer& observer, const std::string& digest = "");
+  /// Opens the mesh that was open last, with its edits, if there is one: what follows a crash.
+  Result<void> resume(Observer& observer);
+  void forget(const std::string& digest = "");
+  /// Of the edits of one `drag` (a positive number that the page chose) only the last stays: each takes the
+  /// place of the one before. `live` ones are not saved.
   Result<Json> edit(const Json& edit, Observer& observer, std::int64_t drag = 0, bool live = false);
   /// See `Workpiece`.
   Result<Json> preview(const Json& edit, Observer& observer) const;
@@ -49,7 +54,8 @@ public:
   /// The geometry; made anew after a change only.
   const Layers& layers();
   Result<std::shared_ptr<const std::string>> chart(int index) const;
-  /// The quads of all components that have some, in the format of that extension ("obj", "off", "ply", "vtk", "stl", "glb").
+  /// The quads of all components that have some, in the format of that extension ("obj", "off", "ply", "vtk",
+  /// "stl", "glb").
   Result<std::string> export_quads(const std::string& extension, Observer& observer);
   /// Certifies with all checks first; see `html_text()`.
   Result<std::string> html_report(Observer& observer);
@@ -57,9 +63,13 @@ public:
   Result<std::string> recipe() const;
 
   const Folder& folder() const { return m_folder; }
+  /// Whether a path leads to the file of the mesh that is open.
+  bool is_open_file(const std::string& path) const;
 
 private:
+  Result<void> begin(Saved_session origin, const std::string& bytes, Observer& observer);
   Result<void> open(Saved_session origin, const std::string& bytes, Observer& observer);
+  Result<void> repeat_all(const Saved_session& saved, Observer& observer);
   Result<void> step(bool forward);
   /// What follows every change: measures, saves.
   void changed(double milliseconds, const std::string& text, bool save = true);
@@ -75,6 +85,7 @@ private:
   Parts m_parts;          ///< the components of the mesh; empty while none is open
   std::size_t m_part = 0; ///< that is worked on
   Saved_session m_saved;
+  std::string m_notice;  ///< about what is kept, until the first change
   bool m_keeps = true;   ///< saves what changes
   Json m_file = nullptr; ///< what is said about the mesh that is open
   Json m_last = nullptr;

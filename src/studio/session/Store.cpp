@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/Store.h"
 
+#include "view/Bounded_json.h"
+
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_file.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace reebquad {
 namespace studio {
@@ -10,14 +19,26 @@ namespace studio {
 namespace fs = std::filesystem;
 using CGAL::Reeb_quadrangulation::Error_code;
 using CGAL::Reeb_quadrangulation::make_error;
+using CGAL::Reeb_quadrangulation::read_file;
+using CGAL::Reeb_quadrangulation::Symbolic_link;
 using CGAL::Reeb_quadrangulation::write_file_atomically;
+using CGAL::Reeb_quadrangulation::Written_link;
 
 namespace {
 
 constexpr int format_version = 2;
+constexpr int deepest_session = 24;
 constexpr std::uint64_t largest_session = std::uint64_t(64) << 20;
 constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
+constexpr std::size_t most_sessions = 200; // that are looked at
 const char* const upload_prefix = "mesh-";
+const char* const session_prefix = "session-";
+const char* const session_suffix = ".json";
+const char* const former_name = "session.json"; // when there was one session only
+
+bool is_digest(const std::string& text) {
+  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
 
 /// Throws an exception of Json where it is none of ours.
 std::optional<Saved_part> part_of(const Json& json) {
@@ -29,6 +50,14 @@ std::optional<Saved_part> part_of(const Json& json) {
       part.applied > int(part.edits.size()))
     return std::nullopt;
   return part;
+}
+
+/// What a folder holds survives a power failure; the folder itself only when the one around it is flushed.
+void flush(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
 }
 
 } // namespace
@@ -47,31 +76,7 @@ std::string digest(const std::string& bytes) {
   return text;
 }
 
-Result<std::string> read_regular_file(const std::string& path, std::uint64_t limit) {
-  std::error_code failed;
-  if (!fs::is_regular_file(path, failed))
-    return make_error(Error_code::unreadable_file, "the file cannot be read");
-  return CGAL::Reeb_quadrangulation::read_file(path, limit);
-}
-
-Store::Store(const Folder& folder) : m_user_folder(folder), m_folder(folder.path() / ".reebquad") {}
-
-Result<void> Store::make_folder() const {
-  std::error_code failed;
-  fs::create_directories(m_folder, failed);
-  if (failed || !fs::is_directory(m_folder))
-    return make_error(Error_code::unwritable_file,
-                      "the folder .reebquad, which keeps the session, cannot be made");
-  fs::permissions(m_folder, fs::perms::owner_all, failed);
-  return {};
-}
-
-fs::path Store::upload_path(const Saved_session& session) const {
-  return m_folder / (upload_prefix + session.digest);
-}
-
-Result<void> Store::save(const Saved_session& session) const {
-  if (Result<void> made = make_folder(); !made) return made;
+std::string to_json(const Saved_session& session) {
   Json parts = Json::array();
   for (const Saved_part& part : session.parts)
     parts.push_back({{"component", part.component}, {"edits", part.edits}, {"applied", part.applied}});
@@ -82,29 +87,11 @@ Result<void> Store::save(const Saved_session& session) const {
                   {"digest", session.digest},
                   {"component", session.component},
                   {"parts", parts}};
-  Result<void> written = write_file_atomically(
-      (m_folder / "session.json").string(), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
-  if (!written) return written;
-  // Only now nothing refers to the uploads of earlier sessions any more.
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, ignored)) {
-    const std::string leaf = entry.path().filename().string();
-    const bool is_upload = leaf.rfind(upload_prefix, 0) == 0;
-    if (is_upload && (!session.file.empty() || entry.path() != upload_path(session)))
-      fs::remove(entry.path(), ignored);
-  }
-  return {};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<void> Store::save_upload(const Saved_session& session, const std::string& bytes) const {
-  if (Result<void> made = make_folder(); !made) return made;
-  return write_file_atomically(upload_path(session).string(), bytes);
-}
-
-std::optional<Saved_session> Store::load() const {
-  Result<std::string> text = read_regular_file((m_folder / "session.json").string(), largest_session);
-  if (!text) return std::nullopt;
-  const Json json = Json::parse(*text, nullptr, false);
+std::optional<Saved_session> session_from_json(const std::string& text) {
+  const Json json = parse_bounded(text, deepest_session);
   try {
     if (json.at("version") != format_version) return std::nullopt;
     Saved_session session;
@@ -119,34 +106,159 @@ std::optional<Saved_session> Store::load() const {
       if (!part) return std::nullopt;
       session.parts.push_back(std::move(*part));
     }
-    const bool is_digest = session.digest.size() == 16 &&
-                           session.digest.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (!is_digest || session.component < 1) return std::nullopt;
+    if (!is_digest(session.digest) || session.component < 1) return std::nullopt;
     return session;
   } catch (const Json::exception&) {
-    return std::nullopt; // not a session of ours: as if there were none
+    return std::nullopt;
   }
 }
 
+Store::Store(const Folder& folder) : m_user_folder(folder), m_folder(folder.path() / ".reebquad") {}
+
+// A folder, not a link to one, and ours: what is written there, and removed, lies where the user works.
+bool Store::is_trusted() const {
+  struct stat status;
+  return ::lstat(m_folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == ::geteuid();
+}
+
+Result<void> Store::make_folder() const {
+  if (::mkdir(m_folder.c_str(), 0700) == 0)
+    flush(m_user_folder.path());
+  else if (errno != EEXIST)
+    return make_error(Error_code::unwritable_file,
+                      "the folder .reebquad, which keeps the session, cannot be made: " +
+                          std::generic_category().message(errno));
+  if (!is_trusted())
+    return make_error(Error_code::unwritable_file, ".reebquad, which keeps the session, is a link, a file or "
+                                                   "the folder of another user; it is not touched: "
+                                                   "move it away");
+  return {};
+}
+
+fs::path Store::upload_path(const std::string& digest) const {
+  return m_folder / (upload_prefix + digest);
+}
+
+fs::path Store::session_path(const std::string& digest) const {
+  return m_folder / (session_prefix + digest + session_suffix);
+}
+
+// The newest first.
+std::vector<fs::path> Store::session_files() const {
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code failed;
+  if (!is_trusted()) return {};
+  for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, failed)) {
+    const std::string leaf = entry.path().filename().string();
+    const std::size_t first = std::string(session_prefix).size(), rest = std::string(session_suffix).size();
+    const bool is_ours = leaf == former_name ||
+                         (leaf.size() == first + 16 + rest && leaf.rfind(session_prefix, 0) == 0 &&
+                          is_digest(leaf.substr(first, 16)) && leaf.substr(first + 16) == session_suffix);
+    std::error_code unknown;
+    if (is_ours && fs::is_regular_file(entry.symlink_status(unknown)))
+      found.push_back({entry.last_write_time(unknown), entry.path()});
+  }
+  std::sort(found.begin(), found.end(), std::greater<>());
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < std::min(found.size(), most_sessions); ++i) files.push_back(found[i].second);
+  return files;
+}
+
+Result<void> Store::save(const Saved_session& session) const {
+  if (Result<void> made = make_folder(); !made) return made;
+  const fs::path path = session_path(session.digest);
+  Result<void> written = write_file_atomically(path.string(), to_json(session), Written_link::replaced);
+  if (!written) return written;
+  const fs::path former = m_folder / former_name;
+  const Result<std::string> text = read_file(former.string(), largest_session, Symbolic_link::refused);
+  const auto old = text ? session_from_json(*text) : std::nullopt;
+  std::error_code ignored;
+  if (old && old->digest == session.digest) fs::remove(former, ignored);
+  return {};
+}
+
+Result<void> Store::save_upload(const Saved_session& session, const std::string& bytes) const {
+  if (Result<void> made = make_folder(); !made) return made;
+  return write_file_atomically(upload_path(session.digest).string(), bytes, Written_link::replaced);
+}
+
+std::vector<Saved_session> Store::sessions() const {
+  std::vector<Saved_session> all;
+  for (const fs::path& path : session_files()) {
+    const Result<std::string> text = read_file(path.string(), largest_session, Symbolic_link::refused);
+    if (!text) continue;
+    std::optional<Saved_session> session = session_from_json(*text);
+    const auto same = [&](const Saved_session& other) { return other.digest == session->digest; };
+    if (session && std::none_of(all.begin(), all.end(), same)) all.push_back(std::move(*session));
+  }
+  return all;
+}
+
+std::vector<std::string> Store::unreadable() const {
+  std::vector<std::string> names;
+  for (const fs::path& path : session_files()) {
+    const Result<std::string> text = read_file(path.string(), largest_session, Symbolic_link::refused);
+    if (!text || !session_from_json(*text)) names.push_back(".reebquad/" + path.filename().string());
+  }
+  return names;
+}
+
+std::optional<Saved_session> Store::load() const {
+  const std::vector<Saved_session> all = sessions();
+  for (const Saved_session& session : all)
+    if (session.number_of_edits() > 0) return session;
+  return all.empty() ? std::nullopt : std::optional<Saved_session>(all.front());
+}
+
+std::optional<Saved_session> Store::load(const std::string& wanted) const {
+  for (Saved_session& session : sessions())
+    if (session.digest == wanted) return std::move(session);
+  return std::nullopt;
+}
+
+Result<std::string> Store::set_aside(const std::string& wanted) const {
+  if (!is_trusted()) return std::string();
+  const fs::path path = session_path(wanted);
+  std::error_code failed;
+  if (!fs::exists(fs::symlink_status(path, failed))) return std::string();
+  for (int number = 1; number < 10000; ++number) {
+    const std::string leaf = session_prefix + wanted + ".kept-" + std::to_string(number) + session_suffix;
+    if (fs::exists(fs::symlink_status(m_folder / leaf, failed))) continue;
+    fs::rename(path, m_folder / leaf, failed);
+    if (!failed) return ".reebquad/" + leaf;
+    break;
+  }
+  return make_error(Error_code::unwritable_file,
+                    "the session " + path.filename().string() + " in .reebquad cannot be renamed");
+}
+
 Result<std::string> Store::load_mesh(const Saved_session& session) const {
-  std::string path = upload_path(session).string();
+  std::string path = upload_path(session.digest).string();
   if (!session.file.empty()) {
     Result<std::string> resolved = m_user_folder.resolve(session.file);
     if (!resolved) return resolved;
     path = *resolved;
+  } else if (!is_trusted()) {
+    return make_error(Error_code::unreadable_file, session.name + ": .reebquad is not a folder of yours");
   }
-  Result<std::string> bytes = read_regular_file(path, largest_mesh);
+  Result<std::string> bytes =
+      read_file(path, largest_mesh, session.file.empty() ? Symbolic_link::refused : Symbolic_link::followed);
   if (!bytes)
-    return make_error(Error_code::unreadable_file, session.name + ": the mesh of the last session is gone");
+    return make_error(Error_code::unreadable_file, session.name + ": the mesh of the session is gone");
   if (bytes->size() != session.bytes || digest(*bytes) != session.digest)
-    return make_error(Error_code::unreadable_file,
-                      session.name + ": the mesh was changed since the last session");
+    return make_error(Error_code::unreadable_file, session.name + ": the mesh was changed since the session");
   return bytes;
 }
 
-void Store::forget() const {
+void Store::forget(const std::string& wanted) const {
+  if (!is_trusted() || !is_digest(wanted)) return;
   std::error_code ignored;
-  fs::remove(m_folder / "session.json", ignored);
+  fs::remove(session_path(wanted), ignored);
+  const fs::path former = m_folder / former_name;
+  const Result<std::string> text = read_file(former.string(), largest_session, Symbolic_link::refused);
+  if (const auto old = text ? session_from_json(*text) : std::nullopt; old && old->digest == wanted)
+    fs::remove(former, ignored);
+  fs::remove(upload_path(wanted), ignored);
 }
 
 } // namespace studio

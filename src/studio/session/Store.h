@@ -29,8 +29,13 @@ struct Saved_session {
   std::size_t number_of_edits() const;
 };
 
-/// Keeps the session in the folder `.reebquad` of the user's folder, so that nothing is lost whenever the process ends:
-/// every file is written whole or not at all, and the mesh before what refers to it.
+/// Keeps one session for each mesh in the folder `.reebquad` of the user's folder, as `session-DIGEST.json`,
+/// so that nothing is lost whenever the process ends: every file is written whole or not at all, and a mesh
+/// before what refers to it. A session is replaced by later ones of the same mesh only; one that cannot be
+/// read, as that of a later program, never.
+///
+/// The folder may come from anyone, in an archive say: if it is a link or another user's it is not used, and
+/// links in it are not followed.
 class Store {
 public:
   explicit Store(const Folder& folder);
@@ -38,25 +43,41 @@ public:
   Result<void> save(const Saved_session& session) const;
   /// Keeps the bytes of a mesh that is not in the user's folder. Call it before `save()`.
   Result<void> save_upload(const Saved_session& session, const std::string& bytes) const;
-  /// The session of the last time; nothing if there is none or it is damaged.
+  /// The sessions that can be read, the newest first.
+  std::vector<Saved_session> sessions() const;
+  /// The newest one that has edits, or the newest; nothing if there is none.
   std::optional<Saved_session> load() const;
+  /// That of the mesh with this digest.
+  std::optional<Saved_session> load(const std::string& digest) const;
+  /// The names of the files of sessions that cannot be read: damaged, or of another version.
+  std::vector<std::string> unreadable() const;
+  /// Renames the file of a session, so that no other takes its place; the new name, relative to the user's
+  /// folder. Empty if there is no such file.
+  Result<std::string> set_aside(const std::string& digest) const;
   /// The bytes of its mesh. Fails with `unreadable_file` if they are gone or were changed since.
   Result<std::string> load_mesh(const Saved_session& session) const;
-  void forget() const;
+  /// Removes a session and, if it was uploaded, its mesh.
+  void forget(const std::string& digest) const;
 
 private:
+  bool is_trusted() const;
   Result<void> make_folder() const;
-  std::filesystem::path upload_path(const Saved_session& session) const;
+  std::filesystem::path upload_path(const std::string& digest) const;
+  std::filesystem::path session_path(const std::string& digest) const;
+  std::vector<std::filesystem::path> session_files() const;
 
   Folder m_user_folder;
   std::filesystem::path m_folder;
 };
 
-/// 16 hexadecimal digits that tell whether bytes are still the same (FNV-1a; it keeps out accidents, not malice).
+/// 16 hexadecimal digits that tell whether bytes are still the same (FNV-1a; it keeps out accidents, not
+/// malice).
 std::string digest(const std::string& bytes);
 
-/// The bytes of a regular file of at most `limit` bytes: nothing that whoever reads might wait for. Fails with `unreadable_file`.
-Result<std::string> read_regular_file(const std::string& path, std::uint64_t limit);
+/// A session from the text of its file; nothing if it is none of this version, or nested deeper than any
+/// session.
+std::optional<Saved_session> session_from_json(const std::string& text);
+std::string to_json(const Saved_session& session);
 
 } // namespace studio
 } // namespace reebquad

@@ -129,10 +129,11 @@ Result<Json> Workpiece::apply(const Json& edit, Observer* observer, bool live) {
   if (!live && observer && observer->cancelled()) {
     // The user was told that everything stays as it was.
     m_editor.undo();
-    m_withdrawn = true;
+    m_edits.resize(std::size_t(applied()));
     return make_error(Error_code::cancelled, "cancelled");
   }
-  m_withdrawn = false;
+  m_edits.resize(std::size_t(applied() - 1));
+  m_edits.push_back(Json::parse(to_json(*parsed)));
   stitch();
   return json_of(*report);
 }
@@ -187,13 +188,6 @@ Result<void> Workpiece::finish(Observer* observer) {
   m_fans = pole_fans(m_editor.design(), *m_quads);
   m_finished = true;
   return {};
-}
-
-std::vector<Json> Workpiece::edits() const {
-  std::vector<Json> list;
-  for (const Edit& edit : m_editor.edits()) list.push_back(Json::parse(to_json(edit)));
-  if (m_withdrawn && !list.empty()) list.pop_back(); // it is always the last
-  return list;
 }
 
 Recipe Workpiece::recipe() const {

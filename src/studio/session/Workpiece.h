@@ -40,7 +40,7 @@ public:
   /// @}
 
   /// Those that are applied, then those that can be redone.
-  std::vector<Json> edits() const;
+  const std::vector<Json>& edits() const { return m_edits; }
   int applied() const { return m_editor.position(); }
   CGAL::Reeb_quadrangulation::Recipe recipe() const;
 
@@ -71,7 +71,8 @@ private:
   std::vector<CGAL::Reeb_quadrangulation::Pole_fan> m_fans; ///< of `m_quads`
   CGAL::Reeb_quadrangulation::Quad_mesh m_stitched;         ///< the quads and fans before they were finished
   bool m_finished = false;
-  bool m_withdrawn = false; ///< the last edit, which could be redone, was taken back for good
+  std::vector<Json>
+      m_edits; ///< the editor's, but for one that was taken back for good; made once, not for every state
 };
 
 } // namespace studio

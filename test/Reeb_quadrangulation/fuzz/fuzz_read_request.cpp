@@ -1,37 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What strangers can send to the studio's server before anything is known of them: messages, cookies, names of files.
-#include "server/Gate.h"
-#include "server/Request.h"
-#include "session/Folder.h"
-
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-
-namespace {
-
-void promise(bool kept) {
-  if (!kept) std::abort();
-}
-
-} // namespace
+#include "fuzz_request.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace reebquad::studio;
-  const std::string text(reinterpret_cast<const char*>(data), size);
-  const auto request = parse_request(text);
-  if (request) {
-    promise(request->id >= 0 && request->id == request_id(text));
-    promise(request->body.is_object());
-    promise(bool(parse_request(request->body.dump(-1, ' ', false, Json::error_handler_t::replace))));
-  } else {
-    promise(!request.error().message.empty());
-    request_id(text);
-  }
-  static const Gate gate(8080);
-  promise(!gate.cookie_opens(text) && !gate.token_opens(text) && !gate.host_is_ours(text + "x"));
-  static const Folder folder(std::filesystem::temp_directory_path());
-  if (const auto path = folder.resolve(text))
-    promise(path->rfind(folder.path().string() + "/", 0) == 0 && path->find("/../") == std::string::npos);
-  return 0;
+  return fuzz::request(data, size);
 }

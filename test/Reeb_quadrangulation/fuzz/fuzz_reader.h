@@ -3,19 +3,16 @@
 #ifndef REEBQUAD_FUZZ_READER_H
 #define REEBQUAD_FUZZ_READER_H
 
+#include "fuzz_promise.h"
+
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace fuzz {
 
 using namespace CGAL::Reeb_quadrangulation;
-
-inline void promise(bool kept) {
-  if (!kept) std::abort();
-}
 
 inline int read(const std::uint8_t* data, std::size_t size, Mesh_format format) {
   const Result<Polygon_soup> soup = parse_polygon_soup(reinterpret_cast<const char*>(data), size, format);

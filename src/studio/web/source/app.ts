@@ -296,7 +296,7 @@ export class App implements Workbench {
         this.store, (where, radius) => this.flyTo(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
       ), false),
     );
-    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), this.toasts.element, welcome(this.store, openMesh, () => void this.ask("restore")));
+    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
     root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));
     return help;
   }

@@ -18,13 +18,31 @@ export interface Listener {
   connected(yes: boolean): void;
 }
 
-/** Exchanges the token of the address for a cookie, and removes it from the address bar and the history. */
+/** Where the secret is kept: only pages of this origin, with its port, can read it. Servers of others at other ports are not sent it. */
+const place = "reebquad-secret";
+
+function secret(): string {
+  return localStorage.getItem(place) ?? "";
+}
+
+function withSecret(): HeadersInit {
+  return { Authorization: `Bearer ${secret()}` };
+}
+
+/** Whether what was kept from another visit still opens: then there is no such request, without it there is no access. */
+async function isKnown(): Promise<boolean> {
+  return secret() !== "" && (await fetch("/api/known", { headers: withSecret() })).status === 404;
+}
+
+/** Exchanges the token of the address for the secret, and removes it from the address bar and the history. */
 export async function enter(): Promise<void> {
   const token = new URLSearchParams(location.hash.slice(1)).get("token");
   if (!token) return;
   const answer = await fetch("/api/enter", { method: "POST", body: token });
   history.replaceState(null, "", "/");
-  if (!answer.ok) throw new Error("The address is of an earlier run of the program. Open the one that it printed last.");
+  if (answer.ok) localStorage.setItem(place, ((await answer.json()) as { secret: string }).secret);
+  else if (!(await isKnown()))
+    throw new Error("The address was used already, is too old, or of another run. Press Enter where the program runs: it prints another.");
 }
 
 export class Connection {
@@ -40,7 +58,7 @@ export class Connection {
 
   open(): void {
     this.layers.clear();
-    const socket = new WebSocket(`ws://${location.host}/api/socket`);
+    const socket = new WebSocket(`ws://${location.host}/api/socket`, ["reebquad", secret()].filter((name) => name !== ""));
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
       this.attempts = 0;
@@ -65,12 +83,12 @@ export class Connection {
   }
 
   async upload(file: File): Promise<void> {
-    const answer = await fetch(`/api/upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+    const answer = await fetch(`/api/upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, headers: withSecret() });
     if (!answer.ok) throw new Error(await sentenceOf(answer));
   }
 
   async download(what: string): Promise<Blob> {
-    const answer = await fetch(`/api/download?what=${encodeURIComponent(what)}`);
+    const answer = await fetch(`/api/download?what=${encodeURIComponent(what)}`, { headers: withSecret() });
     if (!answer.ok) throw new Error(await sentenceOf(answer));
     return answer.blob();
   }

@@ -86,6 +86,9 @@ export interface State {
   file: FileFacts | null;
   last: { ok: boolean; text: string; milliseconds?: number; warning?: string } | null;
   last_session?: { name: string; edits: number };
+  /** All that are kept, the newest first, and the files of those that cannot be read. */
+  sessions?: { name: string; edits: number; digest: string }[];
+  unreadable_sessions?: string[];
   history?: HistoryStep[];
   applied?: number;
   facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number; fans: string };
