@@ -191,6 +191,7 @@ Result<std::vector<Search_step>> search_sharp_curves(const Editor& editor,
       internal::search_curves(editor, recipe.edits[0], options.features.feature_angle, search, observer);
   if (!found) return found.error();
   if (found->edit) recipe.edits[0] = std::move(*found->edit);
+  if (found->has_faces) recipe.finish.features.lines = true; // their edges are long: they deserve whole lines
   return std::move(found->steps);
 }
 
