@@ -53,6 +53,8 @@ bool Layout_lines::read(const Design& design) {
     lines.grid = {chart->grid[swapped ? 1 : 0], chart->grid[swapped ? 0 : 1]};
     // A rectangle's grid begins with its first side, however its walk runs.
     if (lines.rectangle) lines.grid = chart->grid;
+    // Where sides are unlike those that a cap gets from its number of samples, they are somebody's choice, and stay.
+    if (lines.disc && chart->grid[0] != (samples / 2 + 1) / 2) lines.rectangle = true;
     m_now.turn.push_back(lines.disc ? modulo(-chart->texture.offset[0], samples) : chart->texture.offset[1]);
     m_charts.push_back(std::move(lines));
   }
