@@ -79,6 +79,7 @@ void declare(Command_line& line) {
       ("persistence", value<double>("P")->default_value(default_persistence),
        "how prominent a protrusion must be to get an extremum, 0 to 1")                                 //
       ("threads", value<int>("N")->default_value(0), "how many threads; 0: as many as the machine has") //
+      ("align", "bring extraordinary vertices in line: fewer patches of the base complex")              //
       ("no-collapse", "keep charts that are thinner than half a quad")                                  //
       ("no-relax", "do not relax the quads on the surface")                                             //
       ("feature-angle", value<double>("DEGREES")->default_value(45),
@@ -133,6 +134,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");
   pipeline.suggestion.persistence = in_range(line, "persistence", 0.0, 1.0);
   pipeline.threads = in_range(line, "threads", 0, 1024);
+  pipeline.align = line.has("align");
   pipeline.collapse_thin = !line.has("no-collapse");
   pipeline.relax = !line.has("no-relax");
   pipeline.features.feature_angle = in_range(line, "feature-angle", 0.0, 180.0);

@@ -138,6 +138,7 @@ Json component_json(const Component_run& component) {
   out["layout"] = layout_json(result);
   out["sampling"] = sampling_json(result.editor.design());
   out["adaptive"] = {{"subdivided_quads", result.subdivided_quads}, {"t_junctions", result.t_junctions}};
+  out["base_patches"] = {{"before_alignment", result.base_patches[0]}, {"after", result.base_patches[1]}};
   out["search"] = Json::array();
   for (const Search_step& step : result.search)
     out["search"].push_back({{"reason", step.reason}, {"energy", step.energy}});

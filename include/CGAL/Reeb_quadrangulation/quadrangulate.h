@@ -57,6 +57,8 @@ struct Quadrangulation_options {
   bool prepare = true;
   /// Align the saddles of charts that are thinner than half a quad.
   bool collapse_thin = true;
+  /// Bring extraordinary vertices in line, so that the base complex has few patches; see `Align_layout`.
+  bool align = false;
   /// The weights of a chart's map, and how charts are filled; empty: clamped cotangents, regular grids. Called from
   /// several threads at once.
   std::function<Edge_weights(const Chart&)> chart_weights;
@@ -78,7 +80,8 @@ struct Quadrangulation_options {
   int threads = 0;
 };
 
-/// The recipe of the automatic run that these options ask for before anything is searched: its edit places the extrema, suggested or given.
+/// The recipe of the automatic run that these options ask for before anything is searched: its first edit places the
+/// extrema, suggested or given, its second, if any, brings extraordinary vertices in line.
 /// Fails with `impossible_request`, naming the option, where one is out of range.
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options = {});
 
@@ -100,6 +103,9 @@ struct Quadrangulation {
   int collapsed_charts = 0;  ///< thin charts that were removed by aligning their saddles
   int flipped_triangles = 0; ///< of all charts' maps, 0 but for rounding
   int genus = 0;
+  /// Patches of the base complex before and after extraordinary vertices were brought in line, as told from the layout; 0 where they were
+  /// not. See `base_domain()`.
+  std::array<int, 2> base_patches{{0, 0}};
   std::vector<Search_step> search; ///< what the search has changed, if there was one
   std::vector<Stage_time> stages;
 };

@@ -4,6 +4,7 @@
 #include "automatic/search_curves.h"
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
+#include "design/layout_lines.h"
 
 #include <CGAL/Reeb_quadrangulation/finish_design_on_features.h>
 
@@ -158,6 +159,13 @@ Result<Finished_design> finished_on(const Given_features& features, const Editor
   return finish_design(editor.quads(), Surface_projector(editor.input()), features, options, &observer);
 }
 
+// Layouts that are tried for the lines: one takes some 7 to 20 microseconds.
+Align_layout edit_of_lines(Effort effort) {
+  Align_layout edit;
+  edit.tries = effort == Effort::fast ? 10000 : effort == Effort::normal ? 40000 : 160000;
+  return edit;
+}
+
 } // namespace
 
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
@@ -165,6 +173,7 @@ Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
   Recipe recipe;
   recipe.options = editor_options(options);
   recipe.edits.push_back(edit_of_extrema(options));
+  if (options.align) recipe.edits.push_back(edit_of_lines(options.effort));
   recipe.finish = finish_options(options);
   return recipe;
 }
@@ -212,15 +221,31 @@ Result<std::vector<Search_step>> search(const Editor& editor, const Quadrangulat
 struct Made {
   Finished_design finished;
   int collapsed = 0;
+  std::array<int, 2> base_patches{{0, 0}};
 };
 
-Result<Made> make(Editor& editor, const Recipe& recipe, const Quadrangulation_options& options,
+// 0 where it is not told.
+int patches_of(const Design& design) {
+  std::optional<Layout_lines> lines = Layout_lines::of(design);
+  return lines ? lines->patches() : 0;
+}
+
+// An alignment that cannot be made leaves the recipe.
+Result<Made> make(Editor& editor, Recipe& recipe, const Quadrangulation_options& options,
                   Observer& observer) {
   Made made;
-  for (const Edit& edit : recipe.edits) {
-    const Result<Edit_report> done = editor.apply(edit, &observer);
-    if (!done) return done.error();
+  for (std::size_t i = 0; i < recipe.edits.size();) {
+    const bool aligns = std::holds_alternative<Align_layout>(recipe.edits[i]);
+    const int patches = aligns ? patches_of(editor.design()) : 0;
+    const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
+    if (!done && (!aligns || done.error().code == Error_code::cancelled)) return done.error();
+    if (!done) {
+      recipe.edits.erase(recipe.edits.begin() + std::ptrdiff_t(i));
+      continue;
+    }
     made.collapsed += done->collapsed_charts;
+    if (aligns) made.base_patches = {patches, patches_of(editor.design())};
+    ++i;
   }
   Result<Finished_design> finished = options.given_features
                                          ? finished_on(*options.given_features, editor, recipe, observer)
@@ -289,6 +314,7 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
                          made->collapsed,
                          flipped,
                          genus,
+                         made->base_patches,
                          std::move(*steps),
                          recorder.finish()};
 }

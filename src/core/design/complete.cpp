@@ -164,7 +164,10 @@ private:
         options.previous_rows.push_back(old_chart(c) ? old_chart(c)->grid[1] : 0);
     }
     std::vector<int> index(m_draft.network.edges.size(), -1);
-    for (std::size_t i = 0; i < layout.edges.size(); ++i) index[layout.edges[i]] = int(i);
+    for (std::size_t i = 0; i < layout.edges.size(); ++i) {
+      index[layout.edges[i]] = int(i);
+      if (!m_draft.counts.empty()) layout.problem.edges[i].locked = m_draft.counts[layout.edges[i]];
+    }
     for (int c = 0; c < number_of_charts(); ++c) {
       Sampling_chart& chart = layout.problem.charts[c];
       if (chart.kind == Sampling_chart::Kind::annulus) {

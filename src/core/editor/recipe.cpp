@@ -143,6 +143,11 @@ template <class F> void fields(F& f, Lock_chart& e) {
   f("at", e.at);
   f.optional("locked", e.locked);
 }
+template <class F> void fields(F& f, Align_layout& e) {
+  f.optional("strength", e.strength);
+  f.optional("counts", e.counts);
+  f.optional("tries", e.tries);
+}
 template <class F> void fields(F& f, Edit_texture& e) {
   f("operator", e.operation);
   f("points", e.points);

@@ -33,6 +33,7 @@ struct Namer {
   const char* operator()(const Set_shift&) const { return "set_shift"; }
   const char* operator()(const Set_grading&) const { return "set_grading"; }
   const char* operator()(const Lock_chart&) const { return "lock_chart"; }
+  const char* operator()(const Align_layout&) const { return "align_layout"; }
   const char* operator()(const Edit_texture&) const { return "edit_texture"; }
   const char* operator()(const Drag_vertices&) const { return "drag_vertices"; }
   const char* operator()(const Relax_texture&) const { return "relax_texture"; }

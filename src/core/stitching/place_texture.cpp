@@ -36,20 +36,44 @@ std::vector<double> graded_rows(const Height_profile& profile, int rows, double 
   return strictly_increasing(levels) ? levels : equal_rows(profile, rows);
 }
 
-Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
-                                     Chart_parameterization& map, const Texture_maker& maker,
-                                     const Texture_placement& placement) {
-  std::array<std::vector<double>, 2> x;
+namespace {
+
+// The mean of V - natural V along each walk, weighted by the walk's natural steps.
+std::array<double, 2> mean_turns(const Chart& chart, const Chart_parameterization& map,
+                                 const std::array<std::vector<double>, 2>& x) {
   std::array<double, 2> mean{{0, 0}};
   for (int w = 0; w < 2; ++w) {
-    x[w] = walk_coordinates(chart.walks[w], samples);
-    const double n = x[w].back();
     const std::vector<double>& natural = map.natural(chart.walks[w].side);
-    // The mean of V - natural V along the walk, weighted by the walk's natural steps.
-    for (std::size_t i = 0; i < x[w].size(); ++i) x[w][i] /= n;
     for (std::size_t i = 0; i + 1 < x[w].size(); ++i)
       mean[w] += 0.5 * (x[w][i] - natural[i] + x[w][i + 1] - natural[i + 1]) * (natural[i + 1] - natural[i]);
   }
+  return mean;
+}
+
+// The places of the walks' vertices around the chart, from 0 to 1.
+std::array<std::vector<double>, 2> places_around(const Chart& chart, const Contour_samples& samples) {
+  std::array<std::vector<double>, 2> x;
+  for (int w = 0; w < 2; ++w) {
+    x[w] = walk_coordinates(chart.walks[w], samples);
+    const double n = x[w].back();
+    for (double& value : x[w]) value /= n;
+  }
+  return x;
+}
+
+} // namespace
+
+double best_turn(const Chart& chart, const Contour_samples& samples, const Chart_parameterization& map) {
+  const std::array<double, 2> mean = mean_turns(chart, map, places_around(chart, samples));
+  const int columns = int(std::lround(walk_coordinates(chart.walks[0], samples).back()));
+  return columns * (mean[0] - mean[1]);
+}
+
+Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
+                                     Chart_parameterization& map, const Texture_maker& maker,
+                                     const Texture_placement& placement) {
+  std::array<std::vector<double>, 2> x = places_around(chart, samples);
+  const std::array<double, 2> mean = mean_turns(chart, map, x);
   Placed_texture placed;
   const int columns = int(std::lround(walk_coordinates(chart.walks[0], samples).back()));
   const int shift = int(std::lround(columns * (mean[0] - mean[1]))) + placement.shift;
@@ -84,22 +108,38 @@ std::vector<Point> sample_points(const Chart& chart, const Walk& walk, const std
   return points;
 }
 
-int best_corner(const std::vector<Point>& p, int a, int b) {
+// Twice the area of the quadrilateral of corners that begins at sample c, for each that is another one.
+std::vector<double> areas_of_corners(const std::vector<Point>& p, int a, int b) {
   const int n = int(p.size());
-  int best = 0;
-  double largest = -1;
+  std::vector<double> areas;
   for (int c = 0; c < (a == b ? a : a + b); ++c) {
     const Point d1 = p[(c + a + b) % n] - p[c], d2 = p[(c + 2 * a + b) % n] - p[(c + a) % n];
-    const double area = d1.cross(d2).norm();
-    if (area > largest * (1 + 1e-9)) {
-      largest = area;
+    areas.push_back(d1.cross(d2).norm());
+  }
+  return areas;
+}
+
+int best_corner(const std::vector<Point>& p, int a, int b) {
+  int best = 0;
+  double largest = -1;
+  const std::vector<double> areas = areas_of_corners(p, a, b);
+  for (int c = 0; c < int(areas.size()); ++c)
+    if (areas[c] > largest * (1 + 1e-9)) {
+      largest = areas[c];
       best = c;
     }
-  }
   return best;
 }
 
 } // namespace
+
+std::vector<double> areas_between_corners(const Chart& chart, const Contour_samples& samples) {
+  const Walk& walk = chart.walks[0];
+  const std::vector<double> x = walk_coordinates(walk, samples);
+  const int half = int(std::lround(x.back())) / 2, a = (half + 1) / 2;
+  const int first = walk.side == Side::high ? half - a : a;
+  return areas_of_corners(sample_points(chart, walk, x), first, half - first);
+}
 
 Result<Placed_texture> place_disc(const Chart& chart, const Contour_samples& samples, int a, int b,
                                   Chart_parameterization& map, const Texture_maker& maker,
