@@ -187,7 +187,8 @@ TEST_CASE("--feature-lines lets edges of quads run along more of the sharp edges
     return shape.report()["statistics"]["covered_sharp_edges"].get<double>();
   };
   // Extrema that are placed keep the search from laying contours there.
-  std::vector<std::string> placed{"--quads", "1500", "--min", "0,0,0", "--min", "2,0.6,0.2", "--max", "0,1,2"};
+  std::vector<std::string> placed{"--quads", "1500",      "--min", "0,0,0",
+                                  "--min",   "2,0.6,0.2", "--max", "0,1,2"};
   const double single = covered(placed);
   CHECK(shape.report()["components"][0]["features"]["on_lines"] == 0);
   placed.push_back("--feature-lines");

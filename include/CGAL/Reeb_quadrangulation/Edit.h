@@ -33,10 +33,10 @@ enum class Saddle_kind : signed char {
 
 /// What a closed line of sharp edges is for the field, which is constant on it.
 enum class Sharp_curve_kind : signed char {
-  minimum, ///< the field rises on both sides
-  maximum, ///< it falls on both sides
+  minimum,        ///< the field rises on both sides
+  maximum,        ///< it falls on both sides
   cap_of_minimum, ///< it falls through the line to a minimum in the middle of a face that the line bounds alone
-  cap_of_maximum  ///< it rises to a maximum there
+  cap_of_maximum ///< it rises to a maximum there
 };
 
 /// What makes the field follow a contour that the user has moved.

@@ -19,7 +19,8 @@ struct Designed_field {
   /// The vertices as `Harmonic_field::elimination_order()` gives them, or none. The charts' systems take it over.
   std::vector<int> elimination_order = {};
   std::map<int, double> extremal_values = {}; ///< of the extrema whose value is not 0 (minima) or 1 (maxima)
-  std::map<int, double> curve_values = {}; ///< given at further vertices, of curves on which the field is constant
+  std::map<int, double> curve_values =
+      {}; ///< given at further vertices, of curves on which the field is constant
 };
 
 /// The Reeb atlas of a field: the surface cut along its critical contours and its caps.

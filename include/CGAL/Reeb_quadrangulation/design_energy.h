@@ -18,7 +18,8 @@ struct Energy_weights {
   double angle = 0.5;
   double size = 0;
   double vertices = 0.0006;
-  double features = 0.15; ///< of the part of the sharp edges that quads cross obliquely, where curves of them are searched
+  double features =
+      0.15; ///< of the part of the sharp edges that quads cross obliquely, where curves of them are searched
 };
 
 /// How well the quads of a design would do, told from those that its textures give, after a few sweeps of relaxation. Lengths are in edges of

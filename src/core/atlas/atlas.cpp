@@ -74,7 +74,8 @@ std::vector<int> corners_of(const Contour_network& network, const Walk& walk) {
   for (std::size_t i = 0; i < walk.edges.size(); ++i) {
     const Contour_edge& edge = network.edges[walk.edges[i].edge];
     const Node_kind kind = network.nodes[walk.edges[i].forward ? edge.from : edge.to].kind;
-    if (kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle || kind == Node_kind::corner) visits.push_back(int(i));
+    if (kind == Node_kind::half_saddle || kind == Node_kind::quarter_saddle || kind == Node_kind::corner)
+      visits.push_back(int(i));
   }
   return visits;
 }

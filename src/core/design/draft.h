@@ -78,7 +78,8 @@ public:
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
   int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
   double followed = 1;                        ///< see `Edit_report::followed`
-  bool has_pushed_contours = false; ///< so that charts may be too thin for numbers: then their maps are checked
+  bool has_pushed_contours =
+      false; ///< so that charts may be too thin for numbers: then their maps are checked
 
   /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
   Result<void> cut();
