@@ -256,7 +256,8 @@ void Redrawing::keep_off(int edge, Asked& asked) const {
   }
 }
 
-// The visits of the edge's nodes where it lay before: its right side comes before its left one where it begins, after it where it ends.
+// The visits of the edge's nodes where it lay before, or where its course goes if a node has moved: its right side comes before its left
+// one where it begins, after it where it ends.
 bool Redrawing::find_ends(int edge, Asked& asked) const {
   if (m_free.count(edge)) return true;
   const Triangle_surface& mesh = asked.region.chart.mesh;
@@ -270,7 +271,8 @@ bool Redrawing::find_ends(int edge, Asked& asked) const {
       const int first = mesh.outgoing[v];
       int h = first;
       const auto pass = [&](int w) {
-        const int side = asked.sides.home[w];
+        const int side =
+            !m_moved_nodes.empty() && asked.raw[w] != 0 ? (asked.raw[w] > 0 ? 1 : -1) : asked.sides.home[w];
         if (before != 0 && before != side && (before < 0) == begins) ++turns;
         before = side;
         ++around;
