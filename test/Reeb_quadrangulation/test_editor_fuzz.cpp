@@ -73,6 +73,7 @@ void edit_at_random(const Triangle_surface& surface, int edits, std::uint64_t se
     INFO("edit " << i << " of seed " << seed << ": " << to_json(edit));
     const Result<Edit_report> done = editor.apply(edit);
     if (!done) {
+      INFO(done.error().message);
       CHECK(done.error().code != Error_code::internal_error);
       ++tally.refused[reason(done.error())];
       REQUIRE(bytes_of(editor) == history[editor.position()]);

@@ -265,6 +265,13 @@ TEST_CASE("the run keeps sharp edges of the L-shape without inverting a quad") {
   REQUIRE(surface);
   Quadrangulation_options options;
   options.quads = 1500;
+  options.keep_features = false;
+  const Result<Quadrangulation> suggested = quadrangulate(*surface, options);
+  REQUIRE(suggested);
+  // The same extrema for both: else the field would follow closed lines of sharp edges where these are kept.
+  for (const Design_extremum& e : suggested->editor.design().extrema)
+    options.extrema.push_back({suggested->editor.working_surface().points[e.vertex], e.is_maximum});
+  options.keep_features = true;
   const Result<Quadrangulation> with = quadrangulate(*surface, options);
   REQUIRE(with);
   CHECK(with->features.vertices > 40);

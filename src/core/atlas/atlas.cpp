@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Atlas.h>
 
+#include "atlas/cut_part.h"
 #include "atlas/region_curve.h"
 
 #include <CGAL/assertions.h>
@@ -98,6 +99,9 @@ public:
     m_any_topology = true;
     m_mixed = mixed;
   }
+
+  // A field will have one value on all walks of a side.
+  void split_between_walks() { m_one_value_a_side = true; }
 
   // Of the region that was built last: per vertex on its border the wall that begins there.
   std::vector<Region_wall> take_walls() { return std::move(m_walls); }
@@ -279,13 +283,14 @@ private:
   }
 
   // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:
-  // it is split in the middle. In a region, which a field is designed on, so is one between two walks of one side. Splitting adds no new such edge, since the new vertex is inside.
+  // it is split in the middle; if asked for, so is one between two walks of one side. Splitting adds no new such
+  // edge, since the new vertex is inside.
   void split_chords() {
     Triangle_surface& mesh = m_chart.mesh;
     std::vector<int> walk_of(mesh.number_of_vertices(), -1);
     for (std::size_t w = 0; w < m_chart.walks.size(); ++w)
       for (int v : m_chart.walks[w].vertices)
-        walk_of[v] = m_any_topology ? int(m_chart.walks[w].side) : int(w);
+        walk_of[v] = m_one_value_a_side ? int(m_chart.walks[w].side) : int(w);
     std::fill_n(walk_of.begin(), m_walls.size(), 0);
     // Also over the new halfedges: two splits may have moved both sides of an edge to the end.
     for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
@@ -341,7 +346,7 @@ private:
   std::vector<int> m_extrema;
   Chart m_chart;
   int m_index = -1;
-  bool m_any_topology = false, m_mixed = false;
+  bool m_any_topology = false, m_mixed = false, m_one_value_a_side = false;
   std::vector<Region_wall> m_walls;
 };
 
@@ -535,6 +540,17 @@ Result<Chart> cut_region(const Embedding& embedding, const Contour_network& netw
   sort_faces(embedding, faces);
   Chart_builder builder(embedding, network, extrema);
   builder.accept_regions();
+  return builder.build(faces, region_of_face[face]);
+}
+
+Result<Chart> cut_part(const Embedding& embedding, const Contour_network& network, int face) {
+  std::vector<int> region_of_face;
+  std::vector<std::vector<int>> regions = flood_regions(embedding, region_of_face);
+  std::vector<int>& faces = regions[region_of_face[face]];
+  sort_faces(embedding, faces);
+  Chart_builder builder(embedding, network, {});
+  builder.accept_regions();
+  builder.split_between_walks();
   return builder.build(faces, region_of_face[face]);
 }
 

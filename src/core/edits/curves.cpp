@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields that are constant on closed lines of sharp edges: the surface is designed part by part between them.
 #include "atlas/chart_lines.h"
+#include "atlas/cut_part.h"
 #include "edits/steps.h"
 #include "surface/sharp_patches.h"
 
@@ -260,7 +261,7 @@ private:
     std::vector<char> done(std::size_t(m_surface.number_of_faces()), 0);
     for (int f = 0; f < m_surface.number_of_faces(); ++f) {
       if (done[f]) continue;
-      Result<Chart> part = cut_region(*embedding, curves, {}, f);
+      Result<Chart> part = cut_part(*embedding, curves, f);
       if (!part) return refuse("the regions between the curves cannot be designed", part.error().message);
       for (int g : part->face_origin) done[g] = 1;
       if (is_rectangle(*part)) continue;

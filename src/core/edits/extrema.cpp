@@ -270,7 +270,9 @@ Result<Region> cut_out(Draft& draft, const std::set<int>& charts, int inside) {
   const std::vector<int> faces =
       faces_of_charts(draft.surface(), atlas, std::vector<int>(charts.begin(), charts.end()));
   const Result<Embedding> embedding = embed(draft.surface(), draft.network, faces);
-  if (!embedding) return embedding.error();
+  if (!embedding) // without those inside, contours that were told apart may be too near for a double
+    return refuse("the contours are too near to each other there", embedding.error().message,
+                  Element_kind::face, int(embedding.error().index));
   const std::vector<Triangle>& triangles = embedding->surface.triangles;
   const auto around = std::find_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     return std::find(t.begin(), t.end(), inside) != t.end();

@@ -100,6 +100,8 @@ private:
     Relax_options gentle = m_relaxation;
     if (before.inverted_after + before.intersections_after == 0)
       gentle.attempts = std::min(gentle.attempts, attempts_of_good_quads);
+    // Quads that are raised turn away from what they were laid onto, which the user has asked for.
+    if (m_is_given) gentle.wanted = 0;
     std::vector<int> left = before.off_surface;
     double offset = before.largest_offset;
     const int rounds = way.crossings ? rounds_onto_crossings : 1;

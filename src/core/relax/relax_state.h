@@ -101,9 +101,9 @@ void bind_to_curves(State& state, const Vertex_constraints& constraints);
 
 /// What a sweep aims at.
 struct Regime {
-  double evenness = 0.05;    ///< between the corners of rectangles (0) and the average of the neighbours (1)
-  double favour_small = 0.5; ///< a quad of size d counts d^-favour_small
-  double memory = 0.5;       ///< between the quads' present lengths (0) and those before relaxation (1)
+  double evenness = 0.05;  ///< between the corners of rectangles (0) and the average of the neighbours (1)
+  double favour_small = 1; ///< a quad of size d counts d^-favour_small
+  double memory = 0.5;     ///< between the quads' present lengths (0) and those before relaxation (1)
 };
 
 /// How a sweep takes its steps.
