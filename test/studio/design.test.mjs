@@ -83,7 +83,11 @@ test("an impossible place is red and says why, and applying it changes nothing",
   await studio.clickOn(at);
   await studio.page.waitForSelector("#apply-plane:not([disabled])");
   const { revision } = await studio.state();
-  await studio.page.evaluate(() => window.studio.tools.current.turn(1.5));
+  // Shifted on and on, until the contours there are in the way.
+  for (let i = 0; i < 12 && (await studio.page.locator(".hint-line.bad").count()) === 0; ++i) {
+    await studio.page.evaluate(() => window.studio.tools.current.shift(0.1 * window.studio.tools.current.plane.scale.x));
+    await studio.page.waitForTimeout(600);
+  }
   await studio.page.waitForSelector(".hint-line.bad", { timeout: 20000 });
   assert.match(await studio.page.innerText(".hint-line"), /refused/);
   await studio.picture("plane_refused");
@@ -99,7 +103,7 @@ test("an impossible place is red and says why, and applying it changes nothing",
   assert.equal(await marks(), 0);
 });
 
-test("a saddle is moved with all its contours, and only to where they can follow", async () => {
+test("a saddle is moved with all its contours, however the plane is tilted", async () => {
   await studio.page.keyboard.press("Escape");
   await studio.tool("plane");
   await studio.page.click('[data-choice="saddle"]');
@@ -121,13 +125,13 @@ test("a saddle is moved with all its contours, and only to where they can follow
   assert.equal(charts, (await studio.state()).facts.charts.length);
   assert.equal(contours.length, 2); // both loops
   await studio.picture("saddle_moves");
-  // Tilted too far, the plane meets the surface in one curve only: red, with the reason; then it touches again.
+  // Tilted far, its contours still follow; then it touches again.
   await studio.page.evaluate(() => window.studio.tools.current.turn(1.2));
-  await studio.page.waitForSelector(".hint-line.bad", { timeout: 20000 });
-  assert.match(await studio.page.innerText(".hint-line"), /refused: .*contours/);
-  await studio.picture("saddle_refused");
+  await studio.page.waitForTimeout(400);
+  assert.equal(await studio.page.locator(".hint-line.bad").count(), 0);
+  await studio.picture("saddle_tilted");
   await studio.page.keyboard.press("n");
-  await studio.page.waitForSelector(".hint-line:not(.bad)");
+  await studio.page.waitForTimeout(400);
   const state = await studio.after(() => studio.page.keyboard.press("Enter"));
   assert.equal((await history()).at(-1), "move_saddle");
   assert.equal(state.certificate.passed, true);

@@ -145,6 +145,12 @@ export class PlaneTool implements Tool {
     this.tilted();
   }
 
+  /** Shifts the plane along its normal, as the blue arrow does. */
+  shift(distance: number): void {
+    this.plane.translateZ(distance);
+    this.tilted();
+  }
+
   /** Whether a loop is moved or a whole saddle; what is held becomes the other. */
   private choose(wholeSaddle: boolean): void {
     if (this.wholeSaddle === wholeSaddle) return;
