@@ -264,7 +264,7 @@ TEST_CASE("a saddle of four loops is unfolded: six 6s, or twelve 5s") {
   CHECK(valences(editor) == Histogram{{3, 20}, {5, 12}});
 }
 
-TEST_CASE("aligned saddles are split in either order, or the refusal says why") {
+TEST_CASE("aligned saddles are split in either order, or the refusal says why", "[slow]") {
   enum Step { align, half_first, half_second, quarter_first, move_second, pin };
   // Of a contour, a chart or a saddle that an earlier step has taken away.
   const std::set<std::string> theorems{"two saddles are needed",

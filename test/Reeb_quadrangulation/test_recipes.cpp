@@ -88,7 +88,8 @@ TEST_CASE("a recipe gives certified quads with exactly the extraordinary vertice
     if (!entry.input.empty()) recipes::check(entry, surface_of(entry, 4000));
 }
 
-TEST_CASE("a recipe made on one triangulation runs on a denser one with the same extraordinary vertices") {
+TEST_CASE("a recipe made on one triangulation runs on a denser one with the same extraordinary vertices",
+          "[slow]") {
   for (const recipes::Entry& entry : recipes::table()) {
     if (entry.input.empty()) continue;
     const Triangle_surface denser = surface_of(entry, 7000);
