@@ -58,39 +58,23 @@ void measure(Editor& editor, const std::string& kind, int wanted, double rebuild
   std::cout << line.dump() << std::endl;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  internal::keep_freed_memory();
-  const std::string shape = argc > 1 ? argv[1] : "genus-3";
-  const int triangles = argc > 2 ? std::atoi(argv[2]) : 400000, wanted = argc > 3 ? std::atoi(argv[3]) : 20;
-  const Result<Triangle_surface> surface = make_shape(shape, triangles);
-  if (!surface) fail(surface.error());
-  Result<Editor> made = Editor::create(*surface);
-  if (!made) fail(made.error());
-  Editor& editor = *made;
-  std::vector<double> rebuilds; // from nothing: a session keeps the surface's factorization
+// Seconds to design the surface from nothing: a session keeps its factorization.
+double rebuild_seconds(const Triangle_surface& surface) {
+  std::vector<double> seconds;
   for (int i = 0; i < 3; ++i) {
-    Result<Editor> fresh = Editor::create(*surface);
+    Result<Editor> fresh = Editor::create(surface);
     if (!fresh) fail(fresh.error());
     const double begin = now();
     if (const Result<Edit_report> done = fresh->apply(Suggest{}); !done) fail(done.error());
     fresh->quads();
-    rebuilds.push_back(now() - begin);
+    seconds.push_back(now() - begin);
   }
-  if (const Result<Edit_report> done = editor.apply(Suggest{}); !done) fail(done.error());
-  const double rebuild = median(rebuilds), cholmod = cholmod_seconds(editor.working_surface());
-  std::cout << Json{{"shape", shape},
-                    {"triangles", editor.working_surface().number_of_faces()},
-                    {"charts", editor.design().charts.size()},
-                    {"rebuild_seconds", rebuild},
-                    {"cholmod_factor_and_solve_seconds", cholmod}}
-                   .dump()
-            << std::endl;
-  Random_elements random(editor);
-  const auto run = [&](const char* kind, const std::function<Edit()>& make) {
-    measure(editor, kind, wanted, rebuild, cholmod, make);
-  };
+  return median(seconds);
+}
+
+using Run = std::function<void(const char* kind, const std::function<Edit()>& make)>;
+
+void run_layout_edits(Editor& editor, Random_elements& random, const Run& run) {
   run("subdivide_chart", [&] { return Subdivide_chart{random.vertex()}; });
   run("move_contour", [&] {
     const Surface_point c = random.contour(true);
@@ -116,6 +100,9 @@ int main(int argc, char** argv) {
     const Surface_point e = random.extremum();
     return Move_extremum{e, random.beside(e, 10), Edit_scope::surface};
   });
+}
+
+void run_chart_edits(Random_elements& random, const Run& run) {
   run("collapse_chart", [&] { return Collapse_chart{random.vertex()}; });
   run("split_saddle half", [&] { return Split_saddle{random.saddle(), Saddle_kind::half, {}, 0}; });
   run("split_saddle quarter", [&] { return Split_saddle{random.saddle(), Saddle_kind::quarter, {}, 0}; });
@@ -137,4 +124,32 @@ int main(int argc, char** argv) {
   });
   run("fit_texture", [&] { return Fit_texture{random.vertex()}; }); // of a shape with sharp edges
   run("set_target", [&] { return Set_target{2000 + int(random.below(2000)), 0}; });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  internal::keep_freed_memory();
+  const std::string shape = argc > 1 ? argv[1] : "genus-3";
+  const int triangles = argc > 2 ? std::atoi(argv[2]) : 400000, wanted = argc > 3 ? std::atoi(argv[3]) : 20;
+  const Result<Triangle_surface> surface = make_shape(shape, triangles);
+  if (!surface) fail(surface.error());
+  Result<Editor> made = Editor::create(*surface);
+  if (!made) fail(made.error());
+  Editor& editor = *made;
+  if (const Result<Edit_report> done = editor.apply(Suggest{}); !done) fail(done.error());
+  const double rebuild = rebuild_seconds(*surface), cholmod = cholmod_seconds(editor.working_surface());
+  std::cout << Json{{"shape", shape},
+                    {"triangles", editor.working_surface().number_of_faces()},
+                    {"charts", editor.design().charts.size()},
+                    {"rebuild_seconds", rebuild},
+                    {"cholmod_factor_and_solve_seconds", cholmod}}
+                   .dump()
+            << std::endl;
+  Random_elements random(editor);
+  const Run run = [&](const char* kind, const std::function<Edit()>& make) {
+    measure(editor, kind, wanted, rebuild, cholmod, make);
+  };
+  run_layout_edits(editor, random, run);
+  run_chart_edits(random, run);
 }

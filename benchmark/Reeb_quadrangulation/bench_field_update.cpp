@@ -190,28 +190,28 @@ Chart polar_region(const Editor& editor, const Design_extremum& extremum) {
   return std::move(*region);
 }
 
-} // namespace
+// The field of `region` again with what the last solve left: an extremum at `target` that is dragged further.
+double drag_further_seconds(const Chart& region, const Field& field, int target, double value) {
+  Harmonic_field kept(region.mesh);
+  kept.set_weights(Weight_kind::clamped_cotangent);
+  kept.set_incremental(true);
+  int at = -1;
+  for (int v = 0; v < region.mesh.number_of_vertices(); ++v) {
+    if (region.vertex_origin[v] == target) at = v;
+    if (field.is_fixed[v])
+      if (Result<void> set = kept.set_constraint(v, field.values[v]); !set) fail(set.error());
+  }
+  if (const auto solved = kept.solve(); !solved) fail(solved.error());
+  const double begin = now();
+  kept.remove_constraint(at);
+  if (Result<void> set = kept.set_constraint(region.mesh.target(region.mesh.outgoing[at]), value); !set)
+    fail(set.error());
+  if (const auto solved = kept.solve(); !solved) fail(solved.error());
+  return now() - begin;
+}
 
-int main(int argc, char** argv) {
-  internal::keep_freed_memory();
-  const std::string shape = argc > 1 ? argv[1] : "genus-3";
-  const int triangles = argc > 2 ? std::atoi(argv[2]) : 400000, wanted = argc > 3 ? std::atoi(argv[3]) : 20;
-  const Result<Triangle_surface> surface = make_shape(shape, triangles);
-  if (!surface) fail(surface.error());
-  Result<Editor> made = Editor::create(*surface);
-  if (!made) fail(made.error());
-  Editor& editor = *made;
-  if (const Result<Edit_report> done = editor.apply(Suggest{}); !done) fail(done.error());
-  const double cholmod = cholmod_seconds(editor.working_surface());
-  std::cout << Json{{"shape", shape},
-                    {"triangles", editor.working_surface().number_of_faces()},
-                    {"cholmod_factor_and_solve_seconds", cholmod}}
-                   .dump()
-            << std::endl;
-  const std::vector<int> places = surface_places(editor);
-  Random_elements random(editor);
-  const int threads = std::max(1u, std::thread::hardware_concurrency());
-
+void measure_extrema(Editor& editor, Random_elements& random, const std::vector<int>& places, int wanted,
+                     double cholmod) {
   Measurement extremum, dragged;
   const Design design = editor.design();
   for (int i = 0; i < wanted; ++i) {
@@ -221,30 +221,18 @@ int main(int argc, char** argv) {
     Design moved = design;
     moved.extrema[i % design.extrema.size()].vertex = target;
     Field field(region, moved, places);
-    double begin = now();
+    const double begin = now();
     field.update();
     extremum.add(now() - begin, {&region}, editor);
-    // The same again with what the last one left: an extremum that is dragged further.
-    Harmonic_field kept(region.mesh);
-    kept.set_weights(Weight_kind::clamped_cotangent);
-    kept.set_incremental(true);
-    int at = -1;
-    for (int v = 0; v < region.mesh.number_of_vertices(); ++v) {
-      if (region.vertex_origin[v] == target) at = v;
-      if (field.is_fixed[v])
-        if (Result<void> set = kept.set_constraint(v, field.values[v]); !set) fail(set.error());
-    }
-    if (const auto solved = kept.solve(); !solved) fail(solved.error());
-    begin = now();
-    kept.remove_constraint(at);
-    if (Result<void> set = kept.set_constraint(region.mesh.target(region.mesh.outgoing[at]), e.value); !set)
-      fail(set.error());
-    if (const auto solved = kept.solve(); !solved) fail(solved.error());
-    dragged.add(now() - begin, {&region}, editor);
+    dragged.add(drag_further_seconds(region, field, target, e.value), {&region}, editor);
   }
   extremum.print("extremum moved, contours fixed", cholmod);
   dragged.print("extremum dragged further, contours fixed", cholmod);
+}
 
+void measure_contours(Editor& editor, Random_elements& random, const std::vector<int>& places, int wanted,
+                      double cholmod) {
+  const int threads = std::max(1u, std::thread::hardware_concurrency());
   Measurement contour;
   for (int refused = 0; int(contour.seconds.size()) < wanted && refused < 40 * wanted;) {
     const Surface_point c = random.contour(false);
@@ -267,6 +255,31 @@ int main(int argc, char** argv) {
     editor.undo();
   }
   contour.print("contour moved", cholmod);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  internal::keep_freed_memory();
+  const std::string shape = argc > 1 ? argv[1] : "genus-3";
+  const int triangles = argc > 2 ? std::atoi(argv[2]) : 400000, wanted = argc > 3 ? std::atoi(argv[3]) : 20;
+  const Result<Triangle_surface> surface = make_shape(shape, triangles);
+  if (!surface) fail(surface.error());
+  Result<Editor> made = Editor::create(*surface);
+  if (!made) fail(made.error());
+  Editor& editor = *made;
+  if (const Result<Edit_report> done = editor.apply(Suggest{}); !done) fail(done.error());
+  const double cholmod = cholmod_seconds(editor.working_surface());
+  std::cout << Json{{"shape", shape},
+                    {"triangles", editor.working_surface().number_of_faces()},
+                    {"cholmod_factor_and_solve_seconds", cholmod}}
+                   .dump()
+            << std::endl;
+  const std::vector<int> places = surface_places(editor);
+  Random_elements random(editor);
+
+  measure_extrema(editor, random, places, wanted, cholmod);
+  measure_contours(editor, random, places, wanted, cholmod);
   compare_enforcements(editor, random, wanted);
   const double begin = now();
   const Result<std::vector<Hint>> hints = suggest_edits(editor);

@@ -162,6 +162,46 @@ Json time_moved_constraint(const Triangle_surface& s, const Field_solver_options
           {"ms", time}};
 }
 
+// One entry of the matrix changed at a time.
+void time_incremental(const Symmetric_matrix& matrix, int repetitions) {
+  Multifrontal_solver incremental;
+  incremental.set_incremental(true);
+  need(incremental.factorize(matrix));
+  Symmetric_matrix changing = matrix;
+  std::uint64_t state = 777;
+  double fronts = 0;
+  const double update = median_ms(repetitions, [&] {
+    changing.value[changing.column_begin[int(next(state) * changing.size)]] += 1;
+    need(incremental.factorize(changing));
+    fronts += double(incremental.eliminated_fronts()) / repetitions;
+  });
+  std::cout << Json{{"benchmark", "incremental factorization"},
+                    {"one_entry_ms", update},
+                    {"mean_fronts", fronts}}
+                   .dump()
+            << std::endl;
+}
+
+// A row added to the matrix of a factor at a time.
+void time_update(Cholmod_solver& cholmod, const Symmetric_matrix& matrix, int repetitions) {
+  need(cholmod.factorize(matrix));
+  need(cholmod.add_to_diagonal({1}, {1.0})); // converts the factor
+  std::uint64_t state = 777;
+  const double updown =
+      median_ms(repetitions, [&] { need(cholmod.add_to_diagonal({int(next(state) * matrix.size)}, {1.0})); });
+  std::cout << Json{{"benchmark", "cholmod update"}, {"one_row_ms", updown}}.dump() << std::endl;
+}
+
+void time_moved_constraints(const Triangle_surface& s, int repetitions) {
+  for (const char* name : {"multifrontal", "cholmod", "eigen"})
+    for (const Constraint_method method : {Constraint_method::elimination, Constraint_method::penalty})
+      for (const bool reuse : {false, true}) {
+        if (reuse && std::string(name) == "eigen") continue; // which has nothing to reuse
+        const Field_solver_options options{*linear_solver_named(name), method};
+        std::cout << time_moved_constraint(s, options, reuse, repetitions).dump() << std::endl;
+      }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -183,9 +223,8 @@ int main(int argc, char** argv) {
   const std::vector<double> b = right_hand_side(s, weights, system, values);
   std::cout << assembly.dump() << std::endl;
 
-  Multifrontal_solver own, two_threads, incremental;
+  Multifrontal_solver own, two_threads;
   two_threads.set_threads(2);
-  incremental.set_incremental(true);
   Cholmod_solver cholmod, dissected(Cholmod_solver::Ordering::nested_dissection), ordered;
   Eigen_solver eigen;
   const Json ours = time_solver(own, "multifrontal", system.matrix, b, repetitions);
@@ -210,32 +249,7 @@ int main(int argc, char** argv) {
                    .dump()
             << std::endl;
 
-  need(incremental.factorize(system.matrix));
-  Symmetric_matrix changing = system.matrix;
-  std::uint64_t state = 777;
-  double fronts = 0;
-  const double update = median_ms(repetitions, [&] {
-    changing.value[changing.column_begin[int(next(state) * changing.size)]] += 1;
-    need(incremental.factorize(changing));
-    fronts += double(incremental.eliminated_fronts()) / repetitions;
-  });
-  std::cout << Json{{"benchmark", "incremental factorization"},
-                    {"one_entry_ms", update},
-                    {"mean_fronts", fronts}}
-                   .dump()
-            << std::endl;
-
-  need(cholmod.factorize(system.matrix));
-  need(cholmod.add_to_diagonal({1}, {1.0})); // converts the factor
-  const double updown = median_ms(
-      repetitions, [&] { need(cholmod.add_to_diagonal({int(next(state) * changing.size)}, {1.0})); });
-  std::cout << Json{{"benchmark", "cholmod update"}, {"one_row_ms", updown}}.dump() << std::endl;
-
-  for (const char* name : {"multifrontal", "cholmod", "eigen"})
-    for (const Constraint_method method : {Constraint_method::elimination, Constraint_method::penalty})
-      for (const bool reuse : {false, true}) {
-        if (reuse && std::string(name) == "eigen") continue; // which has nothing to reuse
-        const Field_solver_options options{*linear_solver_named(name), method};
-        std::cout << time_moved_constraint(s, options, reuse, repetitions).dump() << std::endl;
-      }
+  time_incremental(system.matrix, repetitions);
+  time_update(cholmod, system.matrix, repetitions);
+  time_moved_constraints(s, repetitions);
 }

@@ -70,6 +70,7 @@ private:
 
   double rounded(double v) const { return (v + m_rounding) - m_rounding; }
   void add_triangle(const Chart& chart, const Chart_parameterization& map, int face);
+  static Grid fit_grid(const Box& box, const std::vector<Box>& boxes);
   int build_grid(const Box& box, const std::vector<int>& items, int depth);
   void gather();
   void find_triangle(double v, double u, const Plane_triangle*& found) const;

@@ -53,9 +53,8 @@ struct Level_line {
   double radius() const { return length > 0 ? moment / length : 0; }
 };
 
-// Lengths and mean distances from the extremum of some level lines of a disc, by summing over its triangles.
-std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vector<double>& values,
-                                       const std::vector<int>& disc, bool is_maximum) {
+// Some levels between the vertices of a disc, denser near the extremum.
+std::vector<Level_line> choose_levels(const std::vector<double>& values, const std::vector<int>& disc) {
   constexpr int count = 48;
   const int m = int(disc.size());
   std::vector<Level_line> lines;
@@ -67,9 +66,12 @@ std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vec
     line.value = 0.5 * (values[disc[inside - 1]] + values[disc[inside]]);
     lines.push_back(line);
   }
-  const Point centre = s.points[disc[0]];
+  return lines;
+}
+
+std::vector<int> faces_around(const Triangle_surface& s, const std::vector<int>& vertices) {
   std::vector<int> faces;
-  for (int v : disc) {
+  for (int v : vertices) {
     int h = s.outgoing[v];
     do {
       faces.push_back(h / 3);
@@ -78,27 +80,36 @@ std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vec
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+// Adds the pieces of the lines in face `f`.
+void add_pieces(const Triangle_surface& s, const std::vector<double>& values, int f, const Point& centre,
+                bool is_maximum, std::vector<Level_line>& lines) {
   const auto before = [&](const Level_line& line, double value) {
     return is_maximum ? line.value > value : line.value < value;
   };
-  for (int f : faces) {
-    Triangle t = s.triangles[f];
-    std::sort(t.begin(), t.end(),
-              [&](int a, int b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
-    const double u0 = values[t[0]], u1 = values[t[1]], u2 = values[t[2]];
-    auto line = std::lower_bound(lines.begin(), lines.end(), is_maximum ? u2 : u0, before);
-    for (; line != lines.end() && u0 < line->value && line->value < u2; ++line) {
-      const double u = line->value;
-      const Point &p0 = s.points[t[0]], &p1 = s.points[t[1]], &p2 = s.points[t[2]];
-      const Point a = p0 + (u - u0) / (u2 - u0) * (p2 - p0);
-      const Point b = u < u1 ? Point(p0 + (u - u0) / (u1 - u0) * (p1 - p0))
-                             : Point(p1 + (u2 > u1 ? (u - u1) / (u2 - u1) : 0.0) * (p2 - p1));
-      const double length = (b - a).norm();
-      line->length += length;
-      line->moment += length * (0.5 * (a + b) - centre).norm();
-    }
+  Triangle t = s.triangles[f];
+  std::sort(t.begin(), t.end(),
+            [&](int a, int b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
+  const double u0 = values[t[0]], u1 = values[t[1]], u2 = values[t[2]];
+  auto line = std::lower_bound(lines.begin(), lines.end(), is_maximum ? u2 : u0, before);
+  for (; line != lines.end() && u0 < line->value && line->value < u2; ++line) {
+    const double u = line->value;
+    const Point &p0 = s.points[t[0]], &p1 = s.points[t[1]], &p2 = s.points[t[2]];
+    const Point a = p0 + (u - u0) / (u2 - u0) * (p2 - p0);
+    const Point b = u < u1 ? Point(p0 + (u - u0) / (u1 - u0) * (p1 - p0))
+                           : Point(p1 + (u2 > u1 ? (u - u1) / (u2 - u1) : 0.0) * (p2 - p1));
+    const double length = (b - a).norm();
+    line->length += length;
+    line->moment += length * (0.5 * (a + b) - centre).norm();
   }
-  // A face counts for the first line that has its last vertex inside; the lines' areas are sums of these.
+}
+
+// A face counts for the first line that has its last vertex inside; the lines' areas are sums of these.
+void add_areas(const Triangle_surface& s, const std::vector<int>& disc, const std::vector<int>& faces,
+               std::vector<Level_line>& lines) {
+  const int m = int(disc.size());
   std::unordered_map<int, int> place; // looked up only
   for (int i = 0; i < m; ++i) place[disc[i]] = i;
   for (int f : faces) {
@@ -115,6 +126,15 @@ std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vec
       line->area += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
   }
   for (std::size_t i = 1; i < lines.size(); ++i) lines[i].area += lines[i - 1].area;
+}
+
+// Lengths and mean distances from the extremum of some level lines of a disc, by summing over its triangles.
+std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vector<double>& values,
+                                       const std::vector<int>& disc, bool is_maximum) {
+  std::vector<Level_line> lines = choose_levels(values, disc);
+  const std::vector<int> faces = faces_around(s, disc);
+  for (int f : faces) add_pieces(s, values, f, s.points[disc[0]], is_maximum, lines);
+  add_areas(s, disc, faces, lines);
   return lines;
 }
 
@@ -213,6 +233,22 @@ void close_field(const Closed_surface& closed, const std::vector<std::vector<int
   }
 }
 
+// The contours through the saddles, and one around each extremum, whose cap it bounds.
+std::vector<Traced_contour> trace_contours(const Closed_surface& closed, const Vertex_order& order,
+                                           Reeb_layout& layout) {
+  std::vector<Traced_contour> contours;
+  for (int s : layout.critical.saddles)
+    for (Traced_contour& loop : trace_contour(closed.surface, order, s)) contours.push_back(std::move(loop));
+  const std::vector<char> is_critical = critical_marks(closed, layout.critical);
+  erase_apexes(layout.critical.minima, closed.original_vertices);
+  erase_apexes(layout.critical.maxima, closed.original_vertices);
+  for (const bool is_maximum : {false, true})
+    for (int v : is_maximum ? layout.critical.maxima : layout.critical.minima)
+      contours.push_back(
+          trace_site(closed, order, choose_cap(closed, order, layout.values, is_critical, v, is_maximum)));
+  return contours;
+}
+
 } // namespace
 
 Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_field& field,
@@ -246,17 +282,7 @@ Result<Reeb_layout> make_layout(const Triangle_surface& surface, const Designed_
       if (!std::binary_search(found.begin(), found.end(), v)) layout.lost_extrema.push_back(v);
     }
 
-  std::vector<Traced_contour> contours;
-  for (int s : layout.critical.saddles)
-    for (Traced_contour& loop : trace_contour(closed.surface, order, s)) contours.push_back(std::move(loop));
-  const std::vector<char> is_critical = critical_marks(closed, layout.critical);
-  erase_apexes(layout.critical.minima, closed.original_vertices);
-  erase_apexes(layout.critical.maxima, closed.original_vertices);
-  for (const bool is_maximum : {false, true})
-    for (int v : is_maximum ? layout.critical.maxima : layout.critical.minima)
-      contours.push_back(
-          trace_site(closed, order, choose_cap(closed, order, layout.values, is_critical, v, is_maximum)));
-
+  const std::vector<Traced_contour> contours = trace_contours(closed, order, layout);
   layout.network = build_network(surface, order, layout.values, contours, layout.critical.saddles,
                                  layout.critical.multiplicity);
   layout.network.edges.insert(layout.network.edges.begin(), first_edge, Contour_edge());

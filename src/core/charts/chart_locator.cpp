@@ -94,25 +94,18 @@ int Chart_locator::Grid::row(double u) const {
   return std::clamp(int((u - u0) * rows_per_u), 0, rows - 1);
 }
 
-// Returns the grid's index.
-int Chart_locator::build_grid(const Box& box, const std::vector<int>& items, int depth) {
-  std::vector<Box> boxes;
-  boxes.reserve(items.size());
-  double width = 0, height = 0; // of all boxes, as far as they are in this one
-  for (int i : items) {
-    const Plane_triangle& t = m_triangles[i];
-    const auto [v0, v1] = std::minmax({t.v[0], t.v[1], t.v[2]});
-    const auto [u0, u1] = std::minmax({t.u[0], t.u[1], t.u[2]});
-    boxes.push_back({std::max(v0, box.v0), std::min(v1, box.v1), std::max(u0, box.u0), std::min(u1, box.u1)});
-    width += boxes.back().v1 - boxes.back().v0;
-    height += boxes.back().u1 - boxes.back().u0;
+// A grid over `box` whose cells have the proportions of the mean of `boxes`, about one cell for each of them.
+Chart_locator::Grid Chart_locator::fit_grid(const Box& box, const std::vector<Box>& boxes) {
+  double width = 0, height = 0; // of all boxes
+  for (const Box& b : boxes) {
+    width += b.v1 - b.v0;
+    height += b.u1 - b.u0;
   }
-  // Cells in the proportions of the mean box, about one for each.
-  const double n = double(items.size()), most = std::max(1.0, n);
+  const double n = double(boxes.size()), most = std::max(1.0, n);
   const double wide = width > 0 ? n * (box.v1 - box.v0) / width : 1,
                high = height > 0 ? n * (box.u1 - box.u0) / height : 1;
   const double scale = std::sqrt(most / std::max(1.0, wide * high));
-  Grid grid{box.v0, box.u0, 0, 0, 1, 1, int(m_cells.size())};
+  Grid grid{box.v0, box.u0, 0, 0, 1, 1, 0};
   grid.columns = int(std::clamp(wide * scale, 1.0, most));
   grid.rows = int(std::clamp(high * scale, 1.0, most / grid.columns));
   // Some large boxes among many small ones would be in most of the cells: then there are fewer cells.
@@ -127,6 +120,21 @@ int Chart_locator::build_grid(const Box& box, const std::vector<int>& items, int
     grid.columns = (grid.columns + 1) / 2;
     grid.rows = (grid.rows + 1) / 2;
   }
+  return grid;
+}
+
+// Returns the grid's index.
+int Chart_locator::build_grid(const Box& box, const std::vector<int>& items, int depth) {
+  std::vector<Box> boxes; // of the items, as far as they are in this one
+  boxes.reserve(items.size());
+  for (int i : items) {
+    const Plane_triangle& t = m_triangles[i];
+    const auto [v0, v1] = std::minmax({t.v[0], t.v[1], t.v[2]});
+    const auto [u0, u1] = std::minmax({t.u[0], t.u[1], t.u[2]});
+    boxes.push_back({std::max(v0, box.v0), std::min(v1, box.v1), std::max(u0, box.u0), std::min(u1, box.u1)});
+  }
+  Grid grid = fit_grid(box, boxes);
+  grid.first = int(m_cells.size());
   const int index = int(m_grids.size()), cells = grid.columns * grid.rows;
   m_grids.push_back(grid);
   m_cells.resize(m_cells.size() + cells);

@@ -153,14 +153,11 @@ double wish(double value, double low, double high) {
   return std::min(1.0, std::max(0.0, (value - low) / (high - low)));
 }
 
-} // namespace
-
-Contour_network build_network(const Triangle_surface& surface, const Vertex_order& order,
-                              const std::vector<double>& values, const std::vector<Traced_contour>& contours,
-                              const std::vector<int>& saddles, const std::vector<int>& multiplicity) {
-  Contour_network network;
-  network.surface_vertices = surface.number_of_vertices();
-
+// For each contour, the network vertex of each halfedge that it crosses: the crossings are new ones of the network.
+std::vector<std::vector<int>> add_crossings(const Triangle_surface& surface, const Vertex_order& order,
+                                            const std::vector<double>& values,
+                                            const std::vector<Traced_contour>& contours,
+                                            Contour_network& network) {
   std::vector<Pending_crossing> pending;
   for (int c = 0; c < int(contours.size()); ++c) {
     const Traced_contour& contour = contours[c];
@@ -193,7 +190,35 @@ Contour_network build_network(const Triangle_surface& surface, const Vertex_orde
       network.crossings.push_back({e, t[i - begin]});
     }
   }
+  return vertex_of;
+}
 
+// The contour as an edge of the network that begins and ends at node `node`.
+Contour_edge closed_edge(const Triangle_surface& surface, const Traced_contour& contour,
+                         const std::vector<int>& vertices, int node, double value) {
+  Contour_edge edge;
+  edge.value = value;
+  edge.from = edge.to = node;
+  if (contour.seed >= 0) edge.vertices.push_back(contour.seed);
+  for (std::size_t i = 0; i < contour.halfedges.size(); ++i) {
+    edge.vertices.push_back(vertices[i]);
+    if (contour.seed >= 0 || i > 0) edge.faces.push_back(contour.halfedges[i] / 3);
+  }
+  const int last = contour.halfedges.back();
+  edge.faces.push_back(surface.opposite[last] / 3);
+  edge.vertices.push_back(edge.vertices.front());
+  return edge;
+}
+
+} // namespace
+
+Contour_network build_network(const Triangle_surface& surface, const Vertex_order& order,
+                              const std::vector<double>& values, const std::vector<Traced_contour>& contours,
+                              const std::vector<int>& saddles, const std::vector<int>& multiplicity) {
+  Contour_network network;
+  network.surface_vertices = surface.number_of_vertices();
+
+  const std::vector<std::vector<int>> vertex_of = add_crossings(surface, order, values, contours, network);
   std::map<int, int> saddle_node;
   for (std::size_t i = 0; i < saddles.size(); ++i) {
     saddle_node[saddles[i]] = int(network.nodes.size());
@@ -201,27 +226,12 @@ Contour_network build_network(const Triangle_surface& surface, const Vertex_orde
   }
   for (std::size_t c = 0; c < contours.size(); ++c) {
     const Traced_contour& contour = contours[c];
-    Contour_edge edge;
-    edge.value = contour_value(contour, order, values);
-    if (contour.seed >= 0) {
-      if (const auto found = saddle_node.find(contour.seed); found != saddle_node.end()) {
-        edge.from = found->second;
-      } else {
-        edge.from = add_node(network, contour.seed);
-      }
-      edge.vertices.push_back(contour.seed);
-    } else {
-      edge.from = add_node(network, vertex_of[c][0]);
-    }
-    for (std::size_t i = 0; i < contour.halfedges.size(); ++i) {
-      edge.vertices.push_back(vertex_of[c][i]);
-      if (contour.seed >= 0 || i > 0) edge.faces.push_back(contour.halfedges[i] / 3);
-    }
-    const int last = contour.halfedges.back();
-    edge.faces.push_back(surface.opposite[last] / 3);
-    edge.vertices.push_back(edge.vertices.front());
-    edge.to = edge.from;
-    network.edges.push_back(std::move(edge));
+    const auto saddle = contour.seed >= 0 ? saddle_node.find(contour.seed) : saddle_node.end();
+    const int node = saddle != saddle_node.end()
+                         ? saddle->second
+                         : add_node(network, contour.seed >= 0 ? contour.seed : vertex_of[c][0]);
+    network.edges.push_back(
+        closed_edge(surface, contour, vertex_of[c], node, contour_value(contour, order, values)));
   }
   return network;
 }

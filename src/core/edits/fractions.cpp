@@ -283,6 +283,27 @@ Result<Contour_edge> upright_path(Draft& draft, int vertex, int from, int to) {
   return plane_path(surface, draft.network, from, to, Cutting_plane::at(a, normal), 0.5 * (a + b));
 }
 
+// A loop of which the part between the network vertices `corner` is left, an edge between the nodes `ends`.
+void keep_middle(Contour_network& network, int e, const std::array<int, 2>& corner,
+                 const std::array<int, 2>& ends) {
+  const Contour_edge loop = network.edges[e];
+  Contour_edge rest = loop;
+  const auto place = [&](int vertex) {
+    return std::find(loop.vertices.begin(), loop.vertices.end(), vertex) - loop.vertices.begin();
+  };
+  const auto first = place(corner[0]), last = place(corner[1]);
+  rest.vertices.assign(loop.vertices.begin() + first, loop.vertices.begin() + last + 1);
+  rest.faces.assign(loop.faces.begin() + first, loop.faces.begin() + last);
+  rest.from = ends[0];
+  rest.to = ends[1];
+  for (std::size_t k = 1; k + 1 < loop.vertices.size(); ++k) // the ends of the loop go
+    if (network.is_crossing(loop.vertices[k]) && (int(k) < first || int(k) > last))
+      network.crossings[loop.vertices[k] - network.surface_vertices].halfedge = -1;
+  network.edges[e].vertices.clear();
+  network.edges[e].faces.clear();
+  network.edges.push_back(std::move(rest));
+}
+
 // A rectangle around the old saddle: its corners lie on the loops, its sides cut off the corners of the four sectors; straight ones
 // lie in planes, the others go around by way of a point across from the saddle.
 Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split_saddle& edit,
@@ -291,8 +312,7 @@ Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split
     return make_error(Error_code::impossible_request, "quarter-saddles need four points, or none");
   const double size = usual_size(draft, edit.size), value = draft.network.edges[s.loops[0]].value;
   const std::array<int, 2> loops = s.loops;
-  std::array<std::array<int, 2>, 2>
-      corner; // per loop: the network vertices where the rectangle begins and ends
+  std::array<std::array<int, 2>, 2> corner; // per loop: the network vertices where its side begins and ends
   for (int i = 0; i < 2; ++i) {
     Result<std::array<int, 2>> at = corners_on_loop(draft, loops[i], edit.points, size);
     if (!at) return at.error();
@@ -326,36 +346,17 @@ Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split
   };
   for (int i = 0; i < 2; ++i)
     if (Result<void> added = add(loops[i], true, corner[i][1], corner[i][0]); !added) return added;
-  for (int i = 0; i < 2;
-       ++i) // the visit before loop i is between the end of the other loop and its own beginning
+  for (int i = 0; i < 2; ++i) // the visit before loop i: after the other loop's end, before its own beginning
     if (Result<void> added = add(loops[i], false, corner[1 - i][1], corner[i][0]); !added) return added;
   std::map<int, int> node;
-  const auto node_at = [&](int vertex) {
-    const auto [found, fresh] = node.emplace(vertex, -1);
-    if (fresh) found->second = add_node(draft.network, vertex, Node_kind::quarter_saddle);
-    return found->second;
-  };
-  for (int i = 0; i < 2; ++i) { // what is left of each loop
-    const Contour_edge loop = draft.network.edges[loops[i]];
-    Contour_edge rest = loop;
-    const auto first =
-        std::find(loop.vertices.begin(), loop.vertices.end(), corner[i][0]) - loop.vertices.begin();
-    const auto last =
-        std::find(loop.vertices.begin(), loop.vertices.end(), corner[i][1]) - loop.vertices.begin();
-    rest.vertices.assign(loop.vertices.begin() + first, loop.vertices.begin() + last + 1);
-    rest.faces.assign(loop.faces.begin() + first, loop.faces.begin() + last);
-    rest.from = node_at(corner[i][0]);
-    rest.to = node_at(corner[i][1]);
-    for (std::size_t k = 1; k + 1 < loop.vertices.size(); ++k) // the ends of the loop go
-      if (draft.network.is_crossing(loop.vertices[k]) && (int(k) < first || int(k) > last))
-        draft.network.crossings[loop.vertices[k] - draft.network.surface_vertices].halfedge = -1;
-    draft.network.edges[loops[i]].vertices.clear();
-    draft.network.edges[loops[i]].faces.clear();
-    draft.network.edges.push_back(std::move(rest));
-  }
+  for (const std::array<int, 2>& ends : corner)
+    for (int end : ends)
+      if (node.emplace(end, -1).second) node[end] = add_node(draft.network, end, Node_kind::quarter_saddle);
+  for (int i = 0; i < 2; ++i)
+    keep_middle(draft.network, loops[i], corner[i], {node.at(corner[i][0]), node.at(corner[i][1])});
   for (Rectangle_side& side : sides) {
-    side.path.from = node_at(side.ends[0]);
-    side.path.to = node_at(side.ends[1]);
+    side.path.from = node.at(side.ends[0]);
+    side.path.to = node.at(side.ends[1]);
     side.path.value = value;
     // The rectangle takes the place of the branches beside the trunk, and is on the same side as the branches themselves.
     side.path.left = branch_on_left || side.faces_branch ? branch_side[0] : trunk_side;

@@ -154,6 +154,8 @@ struct Bisector {
   bool is_cut(int v) const;
   // `candidates` hold, on entry and in what is returned, at least the region's vertices at the cut.
   std::vector<int> refine(const std::vector<int>& vertices, std::vector<int> candidates, int passes);
+  void find_gain(int v);
+  void add_neighbours(const std::vector<int>& moved, std::size_t kept, std::vector<int>& candidates) const;
   bool pass(std::vector<int>& candidates, std::int64_t (&weight)[2]);
 };
 
@@ -202,6 +204,31 @@ void Bisector::split_by_search(const std::vector<int>& vertices, int start) {
   }
 }
 
+// How much smaller the cut becomes when `v` changes its side.
+void Bisector::find_gain(int v) {
+  gain[v] = 0;
+  for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
+    const int u = graph->neighbour[k];
+    if (region[u] == region[v])
+      gain[v] += side[u] == side[v] ? -graph->edge_weight[k] : graph->edge_weight[k];
+  }
+  has_gain[v] = latest_mark;
+}
+
+// What is at the cut after a pass was there before or is next to what has moved: the first `kept` of `moved`.
+void Bisector::add_neighbours(const std::vector<int>& moved, std::size_t kept,
+                              std::vector<int>& candidates) const {
+  for (std::size_t i = 0; i < kept; ++i) {
+    const int v = moved[i];
+    for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
+      const int u = graph->neighbour[k];
+      if (region[u] == region[v]) candidates.push_back(u);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+}
+
 // Moves vertices across the cut, best gain first and each at most once, beyond local minima; then takes back what came
 // after the best state. Returns whether the cut became smaller.
 bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
@@ -212,15 +239,6 @@ bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
   const auto push = [&](int v) {
     queue.push_back(std::int64_t(gain[v]) * largest_index + v);
     std::push_heap(queue.begin(), queue.end());
-  };
-  const auto find_gain = [&](int v) {
-    gain[v] = 0;
-    for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
-      const int u = graph->neighbour[k];
-      if (region[u] == region[v])
-        gain[v] += side[u] == side[v] ? -graph->edge_weight[k] : graph->edge_weight[k];
-    }
-    has_gain[v] = latest_mark;
   };
   ++latest_mark; // marks the vertices that have moved
   for (const int v : candidates) {
@@ -258,16 +276,7 @@ bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
       push(u);
     }
   }
-  // What is at the cut from now on was there before or is next to what has moved.
-  for (std::size_t i = 0; i < kept; ++i) {
-    const int v = moved[i];
-    for (int k = graph->begin[v]; k < graph->begin[v + 1]; ++k) {
-      const int u = graph->neighbour[k];
-      if (region[u] == region[v]) candidates.push_back(u);
-    }
-  }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  add_neighbours(moved, kept, candidates);
   for (; moved.size() > kept; moved.pop_back()) {
     const int v = moved.back(), from = side[v];
     side[v] = (signed char)(1 - from);

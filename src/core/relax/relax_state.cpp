@@ -256,9 +256,10 @@ void bind_to_curves(State& state, const Vertex_constraints& constraints) {
   }
 }
 
-int bind_boundary(State& state) {
-  const std::vector<std::vector<int>> loops = loops_of(state.mesh);
-  if (loops.empty()) return 0;
+namespace {
+
+// Makes a curve of each boundary loop of the input. Returns the parameters of the corners on each.
+std::vector<std::vector<double>> add_boundary_curves(State& state) {
   const Triangle_surface& input = state.input;
   const std::vector<int> corners = feature_edges(input, 0).corners;
   std::vector<std::vector<double>> corner_parameters;
@@ -275,52 +276,77 @@ int bind_boundary(State& state) {
     points.push_back(points.front());
     state.curves.push_back(make_surface_curve(points, true));
   }
+  return corner_parameters;
+}
+
+// The curve that a loop of the quads lies nearest to, or -1.
+int nearest_curve(const State& state, const std::vector<int>& loop) {
+  int best = -1;
+  double best_sum = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < int(state.curves.size()); ++c) {
+    const Surface_curve& curve = state.curves[c];
+    double sum = 0;
+    for (int v : loop)
+      sum += (curve.at(curve.nearest(state.mesh.points[v], 0, curve.length())) - state.mesh.points[v])
+                 .squaredNorm();
+    if (sum < best_sum) {
+      best_sum = sum;
+      best = c;
+    }
+  }
+  return best;
+}
+
+// Moves the nearest place of a loop to each corner of its curve. Tells which places hold a corner.
+std::vector<char> hold_corners(const Surface_curve& curve, const std::vector<double>& corners,
+                               std::vector<double>& s) {
+  const int n = int(s.size());
+  std::vector<char> held(n, 0);
+  for (double c : corners) {
+    const auto gap = [&](int i) { return std::abs(std::remainder(s[i] - c, curve.length())); };
+    int nearest = 0;
+    for (int i = 1; i < n; ++i)
+      if (gap(i) < gap(nearest)) nearest = i;
+    if (held[nearest]) continue;
+    held[nearest] = 1;
+    s[nearest] -= std::remainder(s[nearest] - c, curve.length());
+  }
+  return held;
+}
+
+void bind_loop(State& state, const std::vector<int>& loop, int on, const std::vector<double>& corners) {
+  const int n = int(loop.size());
+  const Surface_curve& curve = state.curves[on];
+  std::vector<double> s = parameters_on(curve, loop, state.mesh.points);
+  const std::vector<char> held = hold_corners(curve, corners, s);
+  for (int i = 0; i < n; ++i) {
+    Site& site = state.sites[loop[i]];
+    site.curve = on;
+    site.parameter = s[i];
+    site.previous = loop[(i + n - 1) % n];
+    site.next = loop[(i + 1) % n];
+    if (site.freedom == Freedom::fixed) continue;
+    site.freedom = Freedom::curve;
+    const Closest_point c = state.projector.closest(curve.at(s[i]), site.face);
+    state.move(loop[i], {curve.at(s[i]), state.projector.normal(c.face), c.face, s[i]});
+    if (held[i]) site.freedom = Freedom::fixed;
+  }
+}
+
+} // namespace
+
+int bind_boundary(State& state) {
+  const std::vector<std::vector<int>> loops = loops_of(state.mesh);
+  if (loops.empty()) return 0;
+  const std::vector<std::vector<double>> corners = add_boundary_curves(state);
   int bound = 0;
   for (const std::vector<int>& loop : loops) {
-    const int n = int(loop.size());
-    bound += n;
-    int best = -1;
-    double best_sum = std::numeric_limits<double>::infinity();
-    for (int c = 0; c < int(state.curves.size()); ++c) {
-      double sum = 0;
-      for (int v : loop) {
-        const Surface_curve& curve = state.curves[c];
-        sum += (curve.at(curve.nearest(state.mesh.points[v], 0, curve.length())) - state.mesh.points[v])
-                   .squaredNorm();
-      }
-      if (sum < best_sum) {
-        best_sum = sum;
-        best = c;
-      }
-    }
-    if (best < 0 || n < 3) {
+    bound += int(loop.size());
+    const int curve = nearest_curve(state, loop);
+    if (curve >= 0 && loop.size() >= 3)
+      bind_loop(state, loop, curve, corners[curve]);
+    else
       for (int v : loop) state.sites[v].freedom = Freedom::fixed; // the input is closed: nothing to slide on
-      continue;
-    }
-    const Surface_curve& curve = state.curves[best];
-    std::vector<double> s = parameters_on(curve, loop, state.mesh.points);
-    std::vector<char> held(n, 0);
-    for (double c : corner_parameters[best]) {
-      const auto gap = [&](int i) { return std::abs(std::remainder(s[i] - c, curve.length())); };
-      int nearest = 0;
-      for (int i = 1; i < n; ++i)
-        if (gap(i) < gap(nearest)) nearest = i;
-      if (held[nearest]) continue;
-      held[nearest] = 1;
-      s[nearest] -= std::remainder(s[nearest] - c, curve.length());
-    }
-    for (int i = 0; i < n; ++i) {
-      Site& site = state.sites[loop[i]];
-      site.curve = best;
-      site.parameter = s[i];
-      site.previous = loop[(i + n - 1) % n];
-      site.next = loop[(i + 1) % n];
-      if (site.freedom == Freedom::fixed) continue;
-      site.freedom = Freedom::curve;
-      const Closest_point c = state.projector.closest(curve.at(s[i]), site.face);
-      state.move(loop[i], {curve.at(s[i]), state.projector.normal(c.face), c.face, s[i]});
-      if (held[i]) site.freedom = Freedom::fixed;
-    }
   }
   return bound;
 }
