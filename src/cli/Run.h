@@ -50,6 +50,9 @@ std::string report_html(const Run& run, const Run_options& options);
 /// Writes the pictures of a run into `options.pictures`; a `Failure` names the file that cannot be written.
 void write_pictures(const Run& run, const Run_options& options);
 
+/// Writes the small picture `options.thumbnail`: of the quads; of the surface where there are none.
+void write_thumbnail(const Run& run, const Run_options& options);
+
 } // namespace reebquad
 
 #endif // REEBQUAD_CLI_RUN_H

@@ -64,6 +64,7 @@ void declare(Command_line& line) {
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
       ("html", value<std::string>("FILE"), "write a report with an interactive view as one HTML file") //
       ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                   //
+      ("thumbnail", value<std::string>("FILE"), "write one small PNG picture")                         //
       ("effort", value<std::string>("EFFORT")->default_value("default"),
        "fast: suggested extrema; default, best: search better ones, so that quads keep the shape") //
       ("extra-vertices", value<int>("N"),
@@ -160,8 +161,9 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   if (line.has("component")) options.component = in_range(line, "component", 1, 1000000000);
   if (line.has("write-recipe")) options.recipe = line.text("write-recipe");
   if (line.has("pictures")) options.pictures = line.text("pictures");
+  if (line.has("thumbnail")) options.thumbnail = line.text("thumbnail");
   keep_inputs(line, {{options.input, line.has("extrema") ? line.text("extrema") : ""},
-                     {options.output, options.report, options.html, options.recipe},
+                     {options.output, options.report, options.html, options.recipe, options.thumbnail},
                      options.pictures});
   options.mending = mending(line);
   for (const char* option : {"weld", "drop-components-below", "refuse-non-manifold"})

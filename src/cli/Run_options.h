@@ -16,10 +16,11 @@ namespace reebquad {
 struct Run_options {
   std::string input;
   std::string output;
-  std::string report;   ///< empty: none is written
-  std::string html;     ///< empty: none is written
-  std::string recipe;   ///< empty: none is written
-  std::string pictures; ///< a folder; empty: none are made
+  std::string report;    ///< empty: none is written
+  std::string html;      ///< empty: none is written
+  std::string recipe;    ///< empty: none is written
+  std::string pictures;  ///< a folder; empty: none are made
+  std::string thumbnail; ///< a PNG file; empty: none is made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
   int component = 0;           ///< the only one to mesh, counted from 1; 0: all

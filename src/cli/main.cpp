@@ -25,6 +25,7 @@ Exit_code execute_help(const Arguments&);
 constexpr std::array commands{
     Command{"run", "make a certified quad mesh of a triangle surface", execute_run},
     Command{"check", "tell what is wrong with a triangle mesh, and what can be mended", execute_check},
+    Command{"batch", "make quad meshes of a collection, each in a process of its own", execute_batch},
     Command{"replay", "design a quad mesh by the edits of a recipe", execute_replay},
     Command{"suggest", "list edits that are worth while, with a reason each, or take them", execute_suggest},
     Command{"texture", "edit patches of a quad mesh of any origin", execute_texture},

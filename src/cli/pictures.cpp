@@ -18,6 +18,7 @@ using namespace CGAL::Reeb_quadrangulation;
 namespace {
 
 constexpr int width = 1000, height = 800;
+constexpr int thumbnail_width = 240, thumbnail_height = 192;
 
 using Views = std::vector<std::unique_ptr<const Layout_view>>; // one for each component
 
@@ -110,6 +111,18 @@ void write_pictures(const Run& run, const Run_options& options) {
   write(contact_sheet(quads, up, 3 * width / 2, 3 * height / 2), "quads_four_views.png");
   write(view(quality_scene(run.quads)), "quality.png");
   write(quality_histogram(*run.statistics), "quality_histogram.png");
+}
+
+void write_thumbnail(const Run& run, const Run_options& options) {
+  Quad_scene_options look;
+  look.legend = false;
+  look.dot_radius = 2;
+  Scene scene = run.is_written() ? quad_scene(run.quads, look) : surface_scene(run.as_read);
+  scene.side_width = 0.6;
+  const Camera eye = camera(View::three_quarter, options.pipeline.suggestion.axis);
+  const Image image = render(scene, eye, thumbnail_width, thumbnail_height);
+  const Uninterruptible whole;
+  succeed_or_fail(write_png(image, options.thumbnail), options.thumbnail);
 }
 
 } // namespace reebquad

@@ -262,6 +262,11 @@ private:
   }
 
   void write_outputs() {
+    if (!m_options.thumbnail.empty() && (m_run.is_written() || !m_run.as_read.triangles.empty())) {
+      begin("pictures");
+      write_thumbnail(m_run, m_options);
+      end();
+    }
     if (m_run.certificate) {
       if (m_run.is_written() && !m_options.pictures.empty()) {
         begin("pictures");
