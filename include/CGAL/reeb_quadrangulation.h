@@ -28,6 +28,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/Mirror_plane.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Order_graph.h>
@@ -60,6 +61,7 @@
 #include <CGAL/Reeb_quadrangulation/face_graph_options.h>
 #include <CGAL/Reeb_quadrangulation/face_graph_surface.h>
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
+#include <CGAL/Reeb_quadrangulation/find_mirror_planes.h>
 #include <CGAL/Reeb_quadrangulation/finish_design.h>
 #include <CGAL/Reeb_quadrangulation/finish_design_on_features.h>
 #include <CGAL/Reeb_quadrangulation/finish_face_graph.h>
@@ -67,11 +69,14 @@
 #include <CGAL/Reeb_quadrangulation/finish_quads.h>
 #include <CGAL/Reeb_quadrangulation/fit_texture.h>
 #include <CGAL/Reeb_quadrangulation/given_features.h>
+#include <CGAL/Reeb_quadrangulation/halve_surface.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/layout_sampling.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>
 #include <CGAL/Reeb_quadrangulation/merge_patches.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/mirror_check.h>
+#include <CGAL/Reeb_quadrangulation/mirror_quads.h>
 #include <CGAL/Reeb_quadrangulation/parameters.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
 #include <CGAL/Reeb_quadrangulation/place_texture.h>

@@ -2,6 +2,7 @@
 #include "Design_output.h"
 
 #include "Failure.h"
+#include "Mirror_output.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
@@ -16,11 +17,16 @@ namespace reebquad {
 using namespace CGAL::Reeb_quadrangulation;
 using Json = nlohmann::ordered_json;
 
-Design_output::Design_output(const Editor& editor, const Stitched_mesh& quads)
-    : m_editor(editor), m_quads(quads), m_fans(pole_fans(editor.design(), quads)),
-      m_statistics(quad_statistics(quads.mesh, &editor.input())) {
-  const Stitched_mesh closed = with_paired_fans(quads, m_fans);
-  m_certificate = certify({closed.mesh, &editor.input(), closed.valences, closed.components});
+Design_output::Design_output(const Editor& editor, const Design_quads& made, const Triangle_surface& input)
+    : m_editor(editor), m_made(made), m_quads(made.quads), m_fans(made.fans),
+      m_statistics(quad_statistics(made.quads.mesh, &input)) {
+  const Stitched_mesh closed = with_paired_fans(m_quads, m_fans);
+  m_certificate = certify({closed.mesh, &input, closed.valences, closed.components});
+  if (made.mirror) m_mirror = check_mirror(m_quads.mesh, made.mirror->mirror.plane, made.mirror->image);
+}
+
+bool Design_output::passed() const {
+  return m_certificate.passed && (!m_mirror || is_kept(*m_made.mirror, *m_mirror));
 }
 
 Polygon_soup Design_output::polygons() const {
@@ -29,7 +35,8 @@ Polygon_soup Design_output::polygons() const {
 
 std::string Design_output::text() const {
   const std::string fans = fan_sentence(m_fans);
-  return to_text(m_certificate) + (fans.empty() ? "" : fans + "\n") + "\n" + to_text(m_statistics);
+  return to_text(m_certificate) + (fans.empty() ? "" : fans + "\n") + "\n" + to_text(m_statistics) +
+         (m_mirror ? mirror_text(*m_made.mirror, *m_mirror) : "");
 }
 
 std::string Design_output::report(const std::string& input, const std::string& output) const {
@@ -64,6 +71,7 @@ std::string Design_output::report(const std::string& input, const std::string& o
         {{"pole", {fan.pole.x(), fan.pole.y(), fan.pole.z()}}, {"triangles", fan.ring.size()}});
   out["certificate"] = Json::parse(to_json(m_certificate));
   out["statistics"] = Json::parse(to_json(m_statistics));
+  out["mirror"] = m_mirror ? mirror_json(*m_made.mirror, *m_mirror) : Json(nullptr);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

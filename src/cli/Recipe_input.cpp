@@ -40,19 +40,26 @@ Recipe read_recipe(const std::string& file) {
   return value_or_fail(recipe_from_json(value_or_fail(read_file(file, largest_recipe), file)), file);
 }
 
-Editor replay_recipe(const std::string& input, const Recipe& recipe, const std::string& recipe_name,
-                     Terminal_observer& observer) {
-  Editor editor =
-      value_or_fail(Editor::create(read_component(input, recipe), recipe.options, &observer), input);
+Replayed_recipe replay_recipe(const std::string& input, const Recipe& recipe, const std::string& recipe_name,
+                              Terminal_observer& observer) {
+  Triangle_surface whole = read_component(input, recipe);
+  std::optional<Surface_half> half;
+  if (recipe.mirror) half = value_or_fail(halve_surface(whole, recipe.mirror->plane), input);
+  Triangle_surface worked_on = half ? half->surface : std::move(whole);
+  Replayed_recipe replayed{
+      value_or_fail(Editor::create(std::move(worked_on), recipe.options, &observer), input),
+      std::move(half),
+      {}};
+  if (replayed.half) replayed.whole = std::move(whole);
   for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
-    const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
+    const Result<Edit_report> done = replayed.editor.apply(recipe.edits[i], &observer);
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
     if (!done)
       throw Failure(exit_code(done.error().code), recipe_name + ": edit " + std::to_string(i + 1) + " (" +
                                                       name(recipe.edits[i]) +
                                                       ") does not apply: " + done.error().message);
   }
-  return editor;
+  return replayed;
 }
 
 } // namespace reebquad

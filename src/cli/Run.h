@@ -6,6 +6,7 @@
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/mirror_check.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
@@ -35,8 +36,15 @@ struct Run {
   CGAL::Reeb_quadrangulation::Quad_mesh quads;          ///< of all of them
   std::optional<CGAL::Reeb_quadrangulation::Certificate> certificate;
   std::optional<CGAL::Reeb_quadrangulation::Mesh_statistics> statistics;
-  std::vector<CGAL::Reeb_quadrangulation::Stage_time> stages; ///< outside the components' own
+  std::optional<CGAL::Reeb_quadrangulation::Mirror_check> mirror; ///< if the quads are mirrored
+  std::vector<CGAL::Reeb_quadrangulation::Stage_time> stages;     ///< outside the components' own
   Exit_code status = Exit_code::success;
+  /// How the quads are mirrored, or null.
+  const CGAL::Reeb_quadrangulation::Mirror_report* mirror_report() const {
+    return components.size() == 1 && components[0].result && components[0].result->mirror
+               ? &*components[0].result->mirror
+               : nullptr;
+  }
   /// Whether quads are written: of all components, or of some.
   bool is_written() const { return status == Exit_code::success || status == Exit_code::in_part; }
 };

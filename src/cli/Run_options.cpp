@@ -2,6 +2,7 @@
 #include "Run_options.h"
 
 #include "Input.h"
+#include "Mirror_output.h"
 #include "Number_list.h"
 #include "Outputs.h"
 #include "Solver_options.h"
@@ -81,8 +82,15 @@ void declare(Command_line& line) {
        "how prominent a protrusion must be to get an extremum, 0 to 1")                                 //
       ("threads", value<int>("N")->default_value(0), "how many threads; 0: as many as the machine has") //
       ("align", "bring extraordinary vertices in line: fewer patches of the base complex")              //
-      ("no-collapse", "keep charts that are thinner than half a quad")                                  //
-      ("no-relax", "do not relax the quads on the surface")                                             //
+      ("mirror", value<std::string>("PLANE")->default_value("none"),
+       "mesh one half of a symmetric shape and reflect it: auto, x, y, z (across that axis; =-x keeps the "
+       "other half), PX,PY,PZ,NX,NY,NZ or none") //
+      ("mirror-positions", value<std::string>("WAY")->default_value("exact"),
+       "of the other half: exact reflections, or projected onto the surface") //
+      ("mirror-tolerance", value<double>("PERCENT")->default_value(1),
+       "a shape is symmetric if it lies no farther from its mirror image, in percent of its diagonal") //
+      ("no-collapse", "keep charts that are thinner than half a quad")                                 //
+      ("no-relax", "do not relax the quads on the surface")                                            //
       ("feature-angle", value<double>("DEGREES")->default_value(45),
        "quads keep edges whose faces' normals differ by more; 0: none")     //
       ("feature-lines", "lay whole lines of quads' edges onto sharp edges") //
@@ -136,6 +144,15 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   pipeline.suggestion.persistence = in_range(line, "persistence", 0.0, 1.0);
   pipeline.threads = in_range(line, "threads", 0, 1024);
   pipeline.align = line.has("align");
+  pipeline.mirror = mirror_request(line.text("mirror"));
+  const auto positions = choice<Mirror_positions>(
+      "--mirror-positions", line.text("mirror-positions"),
+      {{"exact", Mirror_positions::exact}, {"projected", Mirror_positions::projected}});
+  const double tolerance = in_range(line, "mirror-tolerance", 0.0, 100.0) / 100;
+  if (pipeline.mirror) {
+    pipeline.mirror->positions = positions;
+    pipeline.mirror->tolerance = tolerance;
+  }
   pipeline.collapse_thin = !line.has("no-collapse");
   pipeline.relax = !line.has("no-relax");
   pipeline.features.feature_angle = in_range(line, "feature-angle", 0.0, 180.0);

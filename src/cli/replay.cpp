@@ -9,9 +9,11 @@
 #include "Solver_options.h"
 #include "Terminal_observer.h"
 
+#include "base/parallel_for.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace reebquad {
@@ -97,6 +99,41 @@ Recipe read_recipe_until(const Replay_options& options) {
   return recipe;
 }
 
+// Of a design with a mirror, the fans of both sides.
+std::vector<Pole_fan> doubled(std::vector<Pole_fan> fans, const Mirrored_design& mirrored,
+                              const Mirror_plane& plane) {
+  const std::size_t half = fans.size();
+  for (std::size_t i = 0; i < half; ++i) {
+    Pole_fan fan = fans[i];
+    fan.pole = plane.reflected(fan.pole);
+    for (int& v : fan.ring) v = mirrored.image[std::size_t(v)];
+    std::reverse(fan.ring.begin(), fan.ring.end());
+    fans.push_back(std::move(fan));
+  }
+  return fans;
+}
+
+Design_quads finished(const Replayed_recipe& replayed, const Recipe& recipe, const std::string& input,
+                      Terminal_observer& observer) {
+  Finished_design design = value_or_fail(replayed.editor.finished_quads(recipe.finish, &observer), input);
+  std::vector<Pole_fan> fans = pole_fans(replayed.editor.design(), design.quads);
+  if (!replayed.half) return {std::move(design.quads), std::move(fans), std::nullopt};
+  Finish_options finish = recipe.finish;
+  finish.relaxation.threads = CGAL::Reeb_quadrangulation::internal::number_of_threads(recipe.options.threads);
+  const Surface_projector whole(replayed.whole);
+  const Mirror mirror{replayed.half->plane, recipe.mirror->positions};
+  Mirrored_design mirrored = value_or_fail(
+      mirror_design(std::move(design), *replayed.half, whole, mirror.positions, finish, &observer), input);
+  fans = doubled(std::move(fans), mirrored, mirror.plane);
+  Mirror_report report{mirror,
+                       mirror_deviation(whole, mirror.plane),
+                       std::move(mirrored.image),
+                       mirrored.on_plane,
+                       mirrored.ring_quads,
+                       mirrored.largest_shift};
+  return {std::move(mirrored.whole.quads), std::move(fans), std::move(report)};
+}
+
 } // namespace
 
 Exit_code execute_replay(const Arguments& arguments) {
@@ -106,12 +143,11 @@ Exit_code execute_replay(const Arguments& arguments) {
   watch_for_interruption();
   Terminal_observer observer(options->quiet);
   const Recipe recipe = read_recipe_until(*options);
-  const Editor editor = replay_recipe(options->input, recipe, options->recipe, observer);
-  const Stitched_mesh quads =
-      value_or_fail(editor.finished_quads(recipe.finish, &observer), options->input).quads;
-  const Design_output output(editor, quads);
+  const Replayed_recipe replayed = replay_recipe(options->input, recipe, options->recipe, observer);
+  const Design_quads quads = finished(replayed, recipe, options->input, observer);
+  const Design_output output(replayed.editor, quads, replayed.input());
   observer.clear();
-  const bool passed = output.certificate().passed;
+  const bool passed = output.passed();
   if (passed && !options->pictures.empty()) output.write_pictures(options->pictures);
   {
     const Uninterruptible whole;

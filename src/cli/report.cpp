@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report of a run as JSON; doc/Reeb_quadrangulation/report_schema.md describes it.
+#include "Mirror_output.h"
 #include "Run.h"
 
 #include <nlohmann/json.hpp>
@@ -170,6 +171,7 @@ std::string report_json(const Run& run, const Run_options& options) {
     out["components"].push_back(component_json(component));
   out["certificate"] = run.certificate ? Json::parse(to_json(*run.certificate)) : Json(nullptr);
   out["statistics"] = run.statistics ? Json::parse(to_json(*run.statistics)) : Json(nullptr);
+  out["mirror"] = run.mirror ? mirror_json(*run.mirror_report(), *run.mirror) : Json(nullptr);
   out["stages"] = json_of(run.stages);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,6 +3,7 @@
 #include "Run.h"
 #include "Input.h"
 #include "Interruption.h"
+#include "Mirror_output.h"
 #include "Terminal_observer.h"
 
 #include "base/stage_recorder.h"
@@ -122,6 +123,9 @@ private:
     } else if (number > 1 && !m_options.recipe.empty()) {
       throw Failure(Exit_code::usage, m_options.input +
                                           ": --write-recipe is for one component, this file has " +
+                                          std::to_string(number) + "; --component says which");
+    } else if (number > 1 && m_options.pipeline.mirror) {
+      throw Failure(Exit_code::usage, m_options.input + ": --mirror is for one component, this file has " +
                                           std::to_string(number) + "; --component says which");
     }
   }
@@ -256,9 +260,12 @@ private:
     if (m_run.certificate->shape) add_shape(*m_run.statistics, *m_run.certificate->shape);
     end();
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
+    if (const Mirror_report* report = m_run.mirror_report())
+      m_run.mirror = check_mirror(m_run.quads, report->mirror.plane, report->image);
+    const bool mirrored = !m_run.mirror || is_kept(*m_run.mirror_report(), *m_run.mirror);
     const bool good = m_options.validate ? m_run.certificate->valid_as_input : m_run.certificate->passed;
     const bool warned = m_options.strict && !m_run.certificate->warnings.empty();
-    if (!good || warned) m_run.status = Exit_code::certificate_failed;
+    if (!good || !mirrored || warned) m_run.status = Exit_code::certificate_failed;
   }
 
   void write_outputs() {
@@ -307,6 +314,7 @@ private:
 
   void print_outcome() const {
     if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
+    if (m_run.mirror && !m_options.quiet) std::cout << mirror_text(*m_run.mirror_report(), *m_run.mirror);
     if (m_run.is_written()) {
       const std::size_t warnings = m_run.certificate->warnings.size();
       const char* note = warnings == 0 ? "" : warnings == 1 ? ", with a warning" : ", with warnings";
@@ -328,7 +336,10 @@ private:
                   << check.message << '\n';
         return;
       }
-    if (!m_run.certificate->warnings.empty())
+    if (m_run.mirror && !is_kept(*m_run.mirror_report(), *m_run.mirror))
+      std::cerr << "reebquad: " << m_options.input
+                << ": the quads do not equal their mirror image: " << m_run.mirror->message << '\n';
+    else if (!m_run.certificate->warnings.empty())
       std::cerr << "reebquad: " << m_options.input
                 << ": the shape is not kept: " << m_run.certificate->warnings.front().text << '\n';
   }

@@ -102,8 +102,9 @@ Exit_code execute_suggest(const Arguments& arguments) {
   if (!options) return Exit_code::success;
   watch_for_interruption();
   Terminal_observer observer(options->quiet);
-  Editor editor = replay_recipe(options->input, options->design,
-                                options->recipe.empty() ? options->input : options->recipe, observer);
+  Replayed_recipe replayed = replay_recipe(
+      options->input, options->design, options->recipe.empty() ? options->input : options->recipe, observer);
+  Editor& editor = replayed.editor;
   const std::vector<Hint> hints =
       value_or_fail(options->apply ? apply_hints(editor, options->hints, &observer)
                                    : suggest_edits(editor, options->hints, &observer),
@@ -112,6 +113,7 @@ Exit_code execute_suggest(const Arguments& arguments) {
   if (options->apply) {
     Recipe longer = recipe_of(editor);
     longer.component = options->design.component;
+    longer.mirror = options->design.mirror;
     const Uninterruptible whole;
     succeed_or_fail(write_file_atomically(options->output, to_json(longer)), options->output);
   }

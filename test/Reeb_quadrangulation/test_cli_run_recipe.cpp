@@ -38,6 +38,7 @@ TEST_CASE("run equals replay of its recipe, byte for byte, whatever the options"
   check_same_bytes(hand, {"--quads", "800", "--effort", "fast", "--adaptive", "2"});
   check_same_bytes(bar, {"--quads", "700", "--effort", "fast", "--feature-lines", "--field", "clamped"});
   check_same_bytes(torus, {"--edge-length", "0.1", "--no-relax", "--no-collapse"});
+  check_same_bytes(torus, {"--quads", "500", "--mirror", "auto", "--effort", "fast"});
   check_same_bytes(torus,
                    {"--quads", "500", "--min", "-1.4,0,0", "--max", "1.4,0,0", "--feature-angle", "0"});
 }

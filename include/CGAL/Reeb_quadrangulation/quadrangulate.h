@@ -7,6 +7,7 @@
 #include <CGAL/Reeb_quadrangulation/Observer.h>
 #include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
 #include <CGAL/Reeb_quadrangulation/given_features.h>
+#include <CGAL/Reeb_quadrangulation/mirror_quads.h>
 #include <CGAL/Reeb_quadrangulation/search_extrema.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 
@@ -76,6 +77,9 @@ struct Quadrangulation_options {
   /// With a ratio above 1: quads are subdivided where the surface bends, or where a size field asks for it, after they were
   /// relaxed, and relaxed again. `quads` is then still their number in the end, about; `edge_length` that of the coarsest.
   Adaptive_options adaptive{1};
+  /// If given: the surface is cut along its plane of symmetry, one half is meshed and reflected. `quads` and placed extrema are then
+  /// those of the whole: extrema on the other side count where their images lie. Excludes `given_features`.
+  std::optional<Mirror_request> mirror{};
   /// Charts solved at once; 0 = as many as the machine has. Results do not depend on it.
   int threads = 0;
 };
@@ -85,7 +89,8 @@ struct Quadrangulation_options {
 /// Fails with `impossible_request`, naming the option, where one is out of range.
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options = {});
 
-/// A quad mesh of a connected surface and how it came about.
+/// A quad mesh of a connected surface and how it came about. With a mirror, `mesh`, `valences`, `chart_of_quad`, `subdivided_quads`,
+/// `t_junctions` and `genus` are those of the whole; the editor, the recipe and the rest are those of the half.
 struct Quadrangulation {
   Quad_mesh mesh;
   /// Predicted from the layout alone: valence -> number of vertices not on the boundary.
@@ -108,13 +113,14 @@ struct Quadrangulation {
   std::array<int, 2> base_patches{{0, 0}};
   std::vector<Search_step> search; ///< what the search has changed, if there was one
   std::vector<Stage_time> stages;
+  std::optional<Mirror_report> mirror{}; ///< if one was asked for
 };
 
 /// Turns a connected surface, closed or with boundary loops, into an all-quad mesh whose extraordinary vertices are those
 /// that the Reeb layout predicts: replays `automatic_recipe()` and finishes its design.
 ///
 /// Errors: `not_a_surface` (empty, or several components), `impossible_request` (options out of range, placed extrema without a minimum
-/// or a maximum), `refused_edit` (placed extrema that the field cannot have), `infeasible_sampling`, `cancelled`; `internal_error` never,
+/// or a maximum, a mirror that the surface does not have), `refused_edit` (placed extrema that the field cannot have), `infeasible_sampling`, `cancelled`; `internal_error` never,
 /// unless we have a defect.
 /// \pre `surface` is connected by `connect()`.
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface,

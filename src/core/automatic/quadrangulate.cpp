@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
+#include "automatic/mirrored.h"
 #include "automatic/search_curves.h"
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
@@ -287,6 +288,7 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
                                       Observer* observer) {
   Result<Recipe> recipe = automatic_recipe(options);
   if (!recipe) return recipe.error();
+  if (options.mirror) return internal::quadrangulate_mirrored(surface, options, observer);
   internal::Stage_recorder recorder(observer, stages_of_a_run);
   Result<Editor> editor = Editor::create(surface, recipe->options, &recorder);
   if (!editor) return editor.error();

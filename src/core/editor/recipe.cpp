@@ -192,6 +192,11 @@ template <class F> void fields(F& f, Editor_options& o) {
   f.optional("solver", o.solver);
   f.optional("constraints", o.constraints);
 }
+template <class F> void fields(F& f, Mirror& m) {
+  f("point", m.plane.point);
+  f("normal", m.plane.normal);
+  f.optional("positions", m.positions);
+}
 template <class F> void fields(F& f, Finish_options& o) {
   f.optional("relax", o.relax);
   f.optional("feature_angle", o.features.feature_angle);
@@ -215,6 +220,7 @@ template <> struct Names<Weight_kind> {
 template <> struct Names<Constraint_method> {
   static constexpr const char* of[] = {"elimination", "penalty"};
 };
+template <> struct Names<Mirror_positions> { static constexpr const char* of[] = {"exact", "projected"}; };
 template <> struct Names<Falloff> { static constexpr const char* of[] = {"constant", "linear", "smooth"}; };
 template <> struct Names<Texture_operator> {
   static constexpr const char* of[] = {
@@ -418,6 +424,13 @@ std::string to_json(const Recipe& recipe) {
   fields(finish_writer, finish_copy);
   if (recipe.component > 0) text += "  \"component\": " + std::to_string(recipe.component) + ",\n";
   if (recipe.fill_holes > 0) text += "  \"fill_holes\": " + std::to_string(recipe.fill_holes) + ",\n";
+  if (recipe.mirror) {
+    Json mirror = Json::object();
+    Writer mirror_writer(mirror);
+    Mirror mirror_copy = *recipe.mirror;
+    fields(mirror_writer, mirror_copy);
+    text += "  \"mirror\": " + mirror.dump() + ",\n";
+  }
   text += "  \"options\": " + options.dump() + ",\n  \"finish\": " + finish.dump() + ",\n  \"edits\": [";
   for (std::size_t i = 0; i < recipe.edits.size(); ++i)
     text += (i == 0 ? "\n    " : ",\n    ") + to_json(recipe.edits[i]);
@@ -435,7 +448,7 @@ Result<Recipe> recipe_from_json(const std::string& text) {
     for (const auto& entry : json.items()) {
       const std::string& key = entry.key();
       if (key != "format" && key != "version" && key != "options" && key != "edits" && key != "comment" &&
-          key != "component" && key != "fill_holes" && key != "finish")
+          key != "component" && key != "fill_holes" && key != "finish" && key != "mirror")
         throw Malformed("the recipe has an unknown field \"" + key + "\"");
     }
     if (json.contains("component")) {
@@ -449,6 +462,12 @@ Result<Recipe> recipe_from_json(const std::string& text) {
       if (!edges.is_number_integer() || edges < 3 || edges > 1000000000)
         throw Malformed("\"fill_holes\" is not an integer of at least 3 and at most nine digits");
       recipe.fill_holes = edges.get<int>();
+    }
+    if (json.contains("mirror")) {
+      Reader reader(json["mirror"], "\"mirror\"");
+      fields(reader, recipe.mirror.emplace());
+      reader.finish();
+      if (recipe.mirror->plane.normal.isZero(0)) throw Malformed("\"mirror\": the normal is zero");
     }
     if (json.contains("options")) {
       Reader reader(json["options"], "\"options\"");

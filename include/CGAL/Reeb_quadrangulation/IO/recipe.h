@@ -3,7 +3,9 @@
 #define CGAL_REEB_QUADRANGULATION_IO_RECIPE_H
 
 #include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/find_mirror_planes.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct Recipe {
   int component = 0;
   /// The largest number of edges of the holes that are filled first, see `Mend_options::fill_holes`; 0: none are.
   int fill_holes = 0;
+  /// If there is a mirror: the design is one of the half on the side of its plane that the normal points to, see `halve_surface()`, and its
+  /// finished quads are doubled by `mirror_design()`. So every edit is made on both sides, and `Editor_options::quads` counts those of one.
+  std::optional<Mirror> mirror{};
   std::vector<Edit> edits;
   /// How the quads of the design become the result. Kept are `relax`, the angle and the lines of `features`, the ratio and the number of
   /// quads of `adaptive`.

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Reeb_quadrangulation/mirror_quads.h>
+
+#include "base/quad_connectivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Reeb_quadrangulation {
+
+namespace {
+
+using internal::source;
+using internal::target;
+
+// By the diagonal: boundary vertices lie on the cut's polyline up to rounding.
+constexpr double on_the_plane = 1e-7;
+
+// How far the ring along the plane reaches into the quads, in lengths of their edges.
+constexpr double ring_width = 1.0 / 3;
+
+double diagonal_of(const Triangle_surface& s) {
+  Point low = s.points[std::size_t(s.triangles[0][0])], high = low;
+  for (const Triangle& t : s.triangles)
+    for (int v : t) {
+      low = low.cwiseMin(s.points[std::size_t(v)]);
+      high = high.cwiseMax(s.points[std::size_t(v)]);
+    }
+  return (high - low).norm();
+}
+
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point d = b - a;
+  const double length = d.squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0;
+  return (a + t * d - p).norm();
+}
+
+// The quads of a half on their way to those of the whole.
+class Weld {
+public:
+  Weld(Finished_design design, const Surface_half& half, double diagonal)
+      : m_design(std::move(design)), m_half(half), m_diagonal(diagonal) {}
+
+  Finished_design& design() { return m_design; }
+
+  /// Brings vertices to where the plane's arcs end. Returns whether one had to move.
+  bool pin_ends() {
+    const Triangle_surface& s = m_half.surface;
+    bool moved = false;
+    connect();
+    for (const int at : arc_ends()) {
+      const Point& end = s.points[std::size_t(at)];
+      int best = -1;
+      double least = std::numeric_limits<double>::infinity();
+      for (const int h : m_boundary) {
+        const double d = (point(source(quads(), h)) - end).norm();
+        if (d < least) {
+          least = d;
+          best = source(quads(), h);
+        }
+      }
+      if (best < 0) continue;
+      m_pinned.push_back(best);
+      if (least <= on_the_plane * m_diagonal) continue;
+      point(best) = end;
+      moved = true;
+    }
+    return moved;
+  }
+
+  /// Finds which edges of the quads lie on the plane, and whether they are as many curves as the cut has.
+  Result<void> find_plane() {
+    connect();
+    m_is_on_plane.assign(mesh().points.size(), 0);
+    m_is_plane_edge.assign(m_opposite.size(), 0);
+    for (const int h : m_boundary) {
+      const Point &a = point(source(quads(), h)), &b = point(target(quads(), h));
+      if (!is_near(a) || !is_near(b) || !follows_cut(0.5 * (a + b))) continue;
+      m_is_plane_edge[std::size_t(h)] = 1;
+      m_is_on_plane[std::size_t(source(quads(), h))] = m_is_on_plane[std::size_t(target(quads(), h))] = 1;
+    }
+    int curves = 0, arcs = 0;
+    std::vector<char> seen(m_opposite.size(), 0);
+    for (const int first : m_boundary) {
+      int edges = 0, ends = 0, all = 0;
+      for (int h = first; !seen[std::size_t(h)]; h = next_on_boundary(h)) {
+        seen[std::size_t(h)] = 1;
+        ++all;
+        edges += m_is_plane_edge[std::size_t(h)];
+        ends += m_is_plane_edge[std::size_t(h)] && !m_is_plane_edge[std::size_t(next_on_boundary(h))];
+      }
+      curves += all > 0 && edges == all;
+      arcs += ends;
+    }
+    if (curves == m_half.curves && (arcs == m_half.arcs || m_design.quads.holes > 0)) return {};
+    return make_error(
+        Error_code::internal_error,
+        "the quads of the half do not follow the plane of the mirror: " + std::to_string(curves) +
+            " curves and " + std::to_string(arcs) + " arcs instead of " + std::to_string(m_half.curves) +
+            " and " + std::to_string(m_half.arcs));
+  }
+
+  /// Whether both sides would share more than vertices and edges on the plane. \pre `find_plane()`
+  bool needs_ring() const {
+    for (int h = 0; h < int(m_opposite.size()); ++h) {
+      const bool a = m_is_on_plane[std::size_t(source(quads(), h))],
+                 b = m_is_on_plane[std::size_t(target(quads(), h))];
+      if (a && b && !m_is_plane_edge[std::size_t(h)]) return true;
+      if (m_is_plane_edge[std::size_t(h)] && m_is_plane_edge[std::size_t(internal::next(h))]) return true;
+    }
+    return false;
+  }
+
+  /// Lays a quad along each edge on the plane: the vertices there become inner ones. Returns how many.
+  int add_ring() {
+    const std::vector<int> valence = valences();
+    const std::vector<Point> inward = inward_places();
+    std::vector<int> outer(mesh().points.size(), -1);
+    for (std::size_t v = 0; v < inward.size(); ++v) {
+      if (!m_is_on_plane[v]) continue;
+      outer[v] = int(mesh().points.size());
+      const Point on = mesh().points[v];
+      mesh().points.push_back(on);
+      mesh().points[v] = inward[v];
+    }
+    int added = 0;
+    for (std::size_t h = 0; h < m_is_plane_edge.size(); ++h) {
+      if (!m_is_plane_edge[h]) continue;
+      const int a = source(quads(), int(h)), b = target(quads(), int(h));
+      mesh().quads.push_back({outer[std::size_t(a)], outer[std::size_t(b)], b, a});
+      const int chart = m_design.quads.chart_of_quad[std::size_t(internal::quad_of(int(h)))];
+      m_design.quads.chart_of_quad.push_back(chart);
+      ++added;
+    }
+    for (std::size_t v = 0; v < inward.size(); ++v)
+      if (m_is_on_plane[v] && !is_arc_end(int(v))) count(valence[v] + 1);
+    for (std::vector<int>* list : {&m_design.quads.held_vertices, &m_pinned})
+      for (int& v : *list)
+        if (outer[std::size_t(v)] >= 0) v = outer[std::size_t(v)];
+    return added;
+  }
+
+  /// Relaxes the quads again, with the ends of arcs held.
+  Result<void> finish(const Finish_options& options, Observer* observer) {
+    const Surface_projector projector(m_half.surface);
+    if (!options.relax) {
+      for (Point& p : mesh().points) p = projector.closest(p).point;
+      return {};
+    }
+    std::vector<int> held = m_design.quads.held_vertices;
+    held.insert(held.end(), m_pinned.begin(), m_pinned.end());
+    Result<Finished_quads> finished =
+        finish_quads(std::move(mesh()), projector, options.relaxation, options.features, observer, held);
+    if (!finished) return finished.error();
+    mesh() = std::move(finished->mesh);
+    m_design.relaxation = std::move(finished->relaxation);
+    m_design.features = finished->features;
+    return {};
+  }
+
+  /// The quads and their images. \pre `find_plane()`, and not `needs_ring()`
+  Mirrored_design doubled(int ring_quads) {
+    Mirrored_design result;
+    result.ring_quads = ring_quads;
+    const Mirror_grid grid(m_half.plane, m_half.surface.points);
+    const std::vector<int> valence = valences();
+    Stitched_mesh& q = m_design.quads;
+    for (auto& [v, number] : q.valences) number *= 2;
+    const int n = int(mesh().points.size()), m = int(mesh().quads.size());
+    for (int v = 0; v < n; ++v) {
+      Point& p = mesh().points[std::size_t(v)];
+      const bool on = m_is_on_plane[std::size_t(v)];
+      p = grid.rounded(on ? m_half.plane.projected(p) : p);
+      result.image.push_back(v);
+      result.on_plane += on;
+      if (on && !is_arc_end(v)) count(2 * valence[std::size_t(v)] - 2);
+    }
+    for (int v = 0; v < n; ++v) {
+      if (m_is_on_plane[std::size_t(v)]) continue;
+      result.image[std::size_t(v)] = int(mesh().points.size());
+      result.image.push_back(v);
+      mesh().points.push_back(m_half.plane.reflected(Point(mesh().points[std::size_t(v)])));
+    }
+    const std::vector<int>& image = result.image;
+    for (int i = 0; i < m; ++i) {
+      const Quad quad = mesh().quads[std::size_t(i)];
+      mesh().quads.push_back({image[std::size_t(quad[0])], image[std::size_t(quad[3])],
+                              image[std::size_t(quad[2])], image[std::size_t(quad[1])]});
+      q.chart_of_quad.push_back(q.chart_of_quad[std::size_t(i)]);
+    }
+    double_lists(image);
+    result.whole = std::move(m_design);
+    return result;
+  }
+
+private:
+  Quad_mesh& mesh() { return m_design.quads.mesh; }
+  const Quad_mesh& mesh() const { return m_design.quads.mesh; }
+  const std::vector<Quad>& quads() const { return m_design.quads.mesh.quads; }
+  Point& point(int v) { return mesh().points[std::size_t(v)]; }
+
+  void connect() {
+    internal::connect_quads(quads(), int(mesh().points.size()), m_opposite);
+    m_boundary.clear();
+    for (int h = 0; h < int(m_opposite.size()); ++h)
+      if (m_opposite[std::size_t(h)] < 0) m_boundary.push_back(h);
+  }
+
+  // Of a boundary halfedge the one that follows it around the mesh.
+  int next_on_boundary(int h) const {
+    for (h = internal::next(h); m_opposite[std::size_t(h)] >= 0;)
+      h = internal::next(m_opposite[std::size_t(h)]);
+    return h;
+  }
+
+  bool is_near(const Point& p) const {
+    return std::abs(m_half.plane.signed_distance(p)) <= on_the_plane * m_diagonal;
+  }
+
+  // Whether the boundary edge of the half that is nearest to a point is one of the cut.
+  bool follows_cut(const Point& p) const {
+    if (m_half.arcs == 0) return true;
+    const Triangle_surface& s = m_half.surface;
+    double cut = std::numeric_limits<double>::infinity(), own = cut;
+    for (int h = 0; h < s.number_of_halfedges(); ++h) {
+      if (!s.is_boundary(h)) continue;
+      double& least = m_half.on_plane[std::size_t(h)] ? cut : own;
+      least = std::min(least, distance_to_segment(p, s.points[std::size_t(s.source(h))],
+                                                  s.points[std::size_t(s.target(h))]));
+    }
+    return cut <= own;
+  }
+
+  std::vector<int> arc_ends() const {
+    std::vector<int> ends;
+    for (const std::vector<int>& loop : boundary_loops(m_half.surface))
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const int h = loop[i], following = loop[(i + 1) % loop.size()];
+        if (m_half.on_plane[std::size_t(h)] != m_half.on_plane[std::size_t(following)])
+          ends.push_back(m_half.surface.target(h));
+      }
+    return ends;
+  }
+
+  // Whether a vertex on the plane also has an edge of another boundary: of the surface's own, or of a hole.
+  bool is_arc_end(int v) const {
+    return std::any_of(m_boundary.begin(), m_boundary.end(), [&](int h) {
+      return !m_is_plane_edge[std::size_t(h)] && (source(quads(), h) == v || target(quads(), h) == v);
+    });
+  }
+
+  std::vector<int> valences() const {
+    std::vector<int> valence(mesh().points.size(), 0);
+    for (int h = 0; h < int(m_opposite.size()); ++h) {
+      if (m_opposite[std::size_t(h)] >= 0 && m_opposite[std::size_t(h)] < h) continue;
+      ++valence[std::size_t(source(quads(), h))];
+      ++valence[std::size_t(target(quads(), h))];
+    }
+    return valence;
+  }
+
+  // Regular vertices are counted only where all are.
+  void count(int valence) {
+    std::map<int, int>& all = m_design.quads.valences;
+    if (valence != 4 || all.count(4)) ++all[valence];
+  }
+
+  // Where the vertices on the plane go to make room for a ring.
+  std::vector<Point> inward_places() const {
+    const std::size_t n = mesh().points.size();
+    std::vector<Point> sum(n, Point::Zero()), across(n, Point::Zero());
+    std::vector<int> number(n, 0), quads_at(n, 0);
+    for (int h = 0; h < int(m_opposite.size()); ++h) {
+      const std::size_t a = std::size_t(source(quads(), h)), b = std::size_t(target(quads(), h));
+      across[a] += mesh().points[std::size_t(target(quads(), internal::next(h)))];
+      ++quads_at[a];
+      if (m_is_plane_edge[std::size_t(h)] || m_opposite[std::size_t(h)] > h) continue;
+      sum[a] += mesh().points[b];
+      sum[b] += mesh().points[a];
+      ++number[a];
+      ++number[b];
+    }
+    std::vector<Point> places = mesh().points;
+    for (std::size_t v = 0; v < n; ++v) {
+      if (!m_is_on_plane[v]) continue;
+      const Point inner = number[v] > 0 ? Point(sum[v] / number[v]) : Point(across[v] / quads_at[v]);
+      places[v] += ring_width * (inner - places[v]);
+    }
+    return places;
+  }
+
+  void double_lists(const std::vector<int>& image) {
+    Stitched_mesh& q = m_design.quads;
+    for (std::vector<int>* list : {&q.extraordinary, &q.interpolated}) {
+      const std::vector<int> half = *list;
+      for (int v : half)
+        if (image[std::size_t(v)] != v) list->push_back(image[std::size_t(v)]);
+    }
+    q.t_junctions *= 2;
+    q.holes *= 2;
+    m_design.subdivided_quads *= 2;
+    m_design.t_junctions *= 2;
+    if (q.holes > 0) q.components = internal::quad_components(q.mesh.quads, int(q.mesh.points.size()));
+  }
+
+  Finished_design m_design;
+  const Surface_half& m_half;
+  double m_diagonal;
+  std::vector<int> m_opposite, m_boundary, m_pinned;
+  std::vector<char> m_is_on_plane, m_is_plane_edge;
+};
+
+// Moves images by as much as the surface there differs from the image of the surface here: a vertex that has left the surface stays off.
+void project(Mirrored_design& design, const Mirror_plane& plane, const Surface_projector& whole,
+             double diagonal) {
+  std::vector<Point>& points = design.whole.quads.mesh.points;
+  for (std::size_t v = 0; v < design.image.size(); ++v) {
+    const std::size_t w = std::size_t(design.image[v]);
+    if (w <= v) continue;
+    const Point foot = plane.reflected(whole.closest(points[v]).point);
+    const Point shift = whole.closest(foot).point - foot;
+    points[w] += shift;
+    design.largest_shift = std::max(design.largest_shift, shift.norm() / diagonal);
+  }
+}
+
+} // namespace
+
+Result<Mirrored_design> mirror_design(Finished_design half_design, const Surface_half& half,
+                                      const Surface_projector& whole, Mirror_positions positions,
+                                      const Finish_options& options, Observer* observer) {
+  const double diagonal = diagonal_of(half.surface);
+  Weld weld(std::move(half_design), half, diagonal);
+  bool unfinished = half.arcs > 0 && weld.pin_ends();
+  if (Result<void> found = weld.find_plane(); !found) return found.error();
+  int ring_quads = 0;
+  if (weld.needs_ring()) {
+    ring_quads = weld.add_ring();
+    unfinished = true;
+  }
+  if (unfinished) {
+    if (Result<void> finished = weld.finish(options, observer); !finished) return finished.error();
+    if (Result<void> found = weld.find_plane(); !found) return found.error();
+  }
+  Mirrored_design result = weld.doubled(ring_quads);
+  if (positions == Mirror_positions::projected) project(result, half.plane, whole, diagonal);
+  return result;
+}
+
+} // namespace Reeb_quadrangulation
+} // namespace CGAL
