@@ -429,3 +429,83 @@ TEST_CASE("the first mesh that is opened tells of sessions of others that cannot
   REQUIRE(session.edit(suggestion, silent));
   CHECK(!session.state()["last"].contains("warning"));
 }
+
+TEST_CASE("a followed recipe makes the quads of its replay, with its options, and is restored with them") {
+  const Temporary_folder folder;
+  Silent silent;
+  const std::string mesh = file_of("sphere", 800);
+  folder.write("a.obj", mesh);
+  Recipe recipe;
+  recipe.options.quads = 300;
+  recipe.edits.push_back(*edit_from_json(suggestion.dump()));
+  folder.write("a.recipe.json", to_json(recipe));
+  std::string exported;
+  {
+    Session session{Folder(folder.path(""))};
+    CHECK(!session.open_recipe_file("a.recipe.json", silent)); // no mesh
+    REQUIRE(session.open_file("a.obj", silent));
+    REQUIRE(session.edit(suggestion, silent));
+    REQUIRE(session.edit({{"edit", "set_target"}, {"quads", 999}}, silent));
+    REQUIRE(session.open_recipe_file("a.recipe.json", silent));
+    CHECK(session.state()["history"].size() == 1);
+    CHECK(recipe_from_json(*session.recipe())->options.quads == 300);
+    exported = *session.export_quads("obj", silent);
+    CHECK(exported == bytes_of(replayed(mesh, *session.recipe())));
+  }
+  Session next{Folder(folder.path(""))};
+  REQUIRE(next.restore(silent));
+  CHECK(*next.export_quads("obj", silent) == exported);
+
+  // One that cannot be followed leaves everything as it was.
+  recipe.edits.push_back(*edit_from_json(R"({"edit": "set_target", "quads": -5})"));
+  const std::int64_t revision = next.revision();
+  const Result<void> refused = next.open_recipe("b.recipe.json", to_json(recipe), silent);
+  REQUIRE(!refused);
+  CHECK(refused.error().message.find("step 2 of 2") != std::string::npos);
+  CHECK(next.revision() == revision);
+}
+
+TEST_CASE("a drag that ends where nothing can be, or is cancelled, leaves no trace") {
+  const Temporary_folder folder;
+  Silent silent;
+  folder.write("a.obj", file_of("sphere", 800));
+  Session session{Folder(folder.path(""))};
+  REQUIRE(session.open_file("a.obj", silent));
+  REQUIRE(session.edit(suggestion, silent));
+  const Json history = session.state()["history"];
+  const auto target = [](int quads) { return Json{{"edit", "set_target"}, {"quads", quads}}; };
+  REQUIRE(session.edit(target(400), silent, 7, true));
+  REQUIRE(session.edit(target(500), silent, 7, true));
+  CHECK(!session.edit(target(-5), silent, 7, true));
+  CHECK(session.state()["history"].size() == 2); // the place before is back while the button is down
+  CHECK(!session.edit(target(-5), silent, 7, false));
+  CHECK(session.state()["history"] == history);
+  CHECK(!session.redo());
+
+  REQUIRE(session.edit(target(400), silent, 8, true));
+  session.cancel_drag(7); // another one
+  CHECK(session.state()["history"].size() == 2);
+  session.cancel_drag(8);
+  CHECK(session.state()["history"] == history);
+  CHECK(!session.redo());
+}
+
+TEST_CASE("pictures and preferences are kept by the folder, and go with what they belong to") {
+  const Temporary_folder folder;
+  Silent silent;
+  folder.write("a.obj", file_of("sphere", 800));
+  Session session{Folder(folder.path(""))};
+  REQUIRE(session.open_file("a.obj", silent));
+  CHECK(!session.keep_picture("no picture"));
+  CHECK(!session.keep_picture("data:image/webp;base64," + std::string(1 << 20, 'A')));
+  REQUIRE(session.keep_picture("data:image/webp;base64,AAAA"));
+  CHECK(session.sessions()[0]["picture"] == "data:image/webp;base64,AAAA");
+  REQUIRE(session.store().save_preferences({{"shading", "flat"}}));
+  CHECK(Session{Folder(folder.path(""))}.store().preferences()["shading"] == "flat");
+  folder.write(".reebquad/preferences.json", "[1");
+  CHECK(session.store().preferences() == Json::object());
+  session.forget(session.state()["file"]["digest"]);
+  CHECK(session.sessions().empty());
+  CHECK(!std::filesystem::exists(
+      folder.path(".reebquad/picture-" + session.state()["file"]["digest"].get<std::string>())));
+}

@@ -67,7 +67,8 @@ test("keys switch layers", async () => {
 test("every layer can be seen", async () => {
   const canvas = async () => (await studio.page.locator(".canvas canvas").screenshot()).toString("base64");
   const ids = await studio.page.evaluate(() => [...document.querySelectorAll("[data-layer]")].map((e) => e.dataset.layer));
-  assert.equal(ids.length, 12);
+  assert.equal(ids.length, 14);
+  await studio.page.waitForFunction(() => window.studio.store.get("deviation"));
   for (const id of ids) {
     await studio.view(id === "valences" || id === "quads" ? "surface" : id === "surface" ? "quads" : "surface");
     await studio.settle();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -45,6 +46,16 @@ std::optional<Covered_edges> covered_sharp_edges(Nearest_quad& nearest, const st
   }
   if (!(all > 0)) return std::nullopt;
   return Covered_edges{covered.by_edges / all, covered.by_triangles / all};
+}
+
+bool has_vertex_at(const Quad_corners& quad, const Point& at) {
+  constexpr double near_corner = 0.1;
+  double edge = 0, least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i) {
+    edge += 0.25 * (quad[(i + 1) % 4] - quad[i]).norm();
+    least = std::min(least, (quad[i] - at).norm());
+  }
+  return least <= near_corner * edge;
 }
 
 std::vector<std::pair<int, int>> edges_of(const Quad_mesh& mesh, const std::vector<char>& usable) {

@@ -45,6 +45,9 @@ std::optional<Covered_edges> covered_sharp_edges(Nearest_quad& nearest, const st
                                                  const std::vector<std::pair<int, int>>& sharp,
                                                  double mean_edge);
 
+/// Whether a quad has a corner within a tenth of its mean edge of a point.
+bool has_vertex_at(const Quad_corners& quad, const Point& at);
+
 /// Edges of the quads that are so marked, each once.
 std::vector<std::pair<int, int>> edges_of(const Quad_mesh& mesh, const std::vector<char>& usable);
 

@@ -15,10 +15,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-constexpr double sharp_angle = 45; // degrees
-// By the mean edge of the quads: how near a vertex is to a corner, how long a line is that quads should
-// follow, or that makes a corner where it ends, and how far area is that is lost.
-constexpr double near_corner = 0.1, long_line = 2, corner_line = 1, lost = 1;
+constexpr double lost = 1; // by the mean edge of the quads: how far area is that is lost
 
 double area(const std::vector<Point>& points, const std::vector<Triangle>& triangles) {
   double sum = 0;
@@ -133,9 +130,9 @@ private:
   }
 
   void measure_sharp_lines() {
-    const auto sharp = sharp_edges(m_input, sharp_angle);
+    const auto sharp = sharp_edges(m_input, Sharp_limits::angle);
     Nearest_quad nearest(m_mesh, m_split, m_tree);
-    const auto lines = long_lines(m_input.points(), sharp, long_line * m_mean_edge);
+    const auto lines = long_lines(m_input.points(), sharp, Sharp_limits::long_line * m_mean_edge);
     if (const auto covered = covered_sharp_edges(nearest, m_input.points(), lines, m_mean_edge))
       m_result.covered_sharp_lines = covered->by_edges;
     if (const auto covered = covered_sharp_edges(nearest, m_input.points(), sharp, m_mean_edge)) {
@@ -144,22 +141,14 @@ private:
     }
     for (int v : corners_of(sharp)) {
       ++m_result.corners;
-      if (has_vertex(nearest(m_input.points()[v]), m_input.points()[v])) continue;
+      if (has_vertex_at(nearest(m_input.points()[v]), m_input.points()[v])) continue;
       if (m_result.missed_corners++ == 0) m_result.missed_corner = m_input.points()[v];
     }
   }
 
   std::vector<int> corners_of(const std::vector<std::pair<int, int>>& sharp) const {
-    return certification::corners(m_input.points(), sharp, sharp_angle, corner_line * m_mean_edge);
-  }
-
-  static bool has_vertex(const Quad_corners& quad, const Point& at) {
-    double edge = 0, least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 4; ++i) {
-      edge += 0.25 * (quad[(i + 1) % 4] - quad[i]).norm();
-      least = std::min(least, (quad[i] - at).norm());
-    }
-    return least <= near_corner * edge;
+    return certification::corners(m_input.points(), sharp, Sharp_limits::angle,
+                                  Sharp_limits::corner_line * m_mean_edge);
   }
 
   const Quad_mesh& m_mesh;

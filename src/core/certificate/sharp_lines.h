@@ -11,6 +11,13 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace certification {
 
+/// What counts as sharp. Lengths are by the mean edge of the quads: of a line that quads should follow, and of one that makes a corner
+/// where it ends.
+struct Sharp_limits {
+  static constexpr double angle = 45; // degrees
+  static constexpr double long_line = 2, corner_line = 1;
+};
+
 /// The edges of the input whose two faces meet at more than `angle` degrees, as pairs of vertices, ascending.
 /// Faces that run along the edge in the same direction are compared as if one of them were turned. O(n log
 /// d).

@@ -304,6 +304,13 @@ std::vector<bool> boundary_kinds(const Region& region) {
   return kinds;
 }
 
+/// Whether the field has an extremum or a boundary loop of that kind.
+bool has_end(const Designed_field& field, bool is_maximum) {
+  const std::vector<bool>& loops = field.boundary_is_maximum;
+  return !(is_maximum ? field.maxima : field.minima).empty() ||
+         std::find(loops.begin(), loops.end(), is_maximum) != loops.end();
+}
+
 } // namespace
 
 Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
@@ -326,6 +333,11 @@ Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int insi
   region->field.boundary_is_maximum = boundary_kinds(*region);
   for (std::vector<int>* list : {&region->field.minima, &region->field.maxima})
     std::sort(list->begin(), list->end());
+  for (const bool is_maximum : {false, true})
+    if (!has_end(region->field, is_maximum))
+      return refuse(std::string("in the charts around nothing would be a ") +
+                        (is_maximum ? "maximum" : "minimum"),
+                    "change it on the whole surface");
   const Result<Reeb_layout> layout = make_layout(region->chart.mesh, region->field);
   if (!layout && layout.error().code == Error_code::impossible_request) return refuse(layout.error().message);
   if (!layout) return refuse("too near to another contour", layout.error().message);

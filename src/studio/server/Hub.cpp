@@ -40,16 +40,28 @@ Result<Json> done(const Result<void>& result) {
   return Json::object();
 }
 
-Result<Json> list_files(const Folder& folder) {
-  Json files = Json::array();
-  for (const Listed_file& file : folder.meshes())
-    files.push_back({{"name", file.name}, {"bytes", file.bytes}});
-  return Json{{"folder", folder.path().filename().string()}, {"files", files}};
+Json listed(const std::vector<Listed_file>& files) {
+  Json list = Json::array();
+  for (const Listed_file& file : files) list.push_back({{"name", file.name}, {"bytes", file.bytes}});
+  return list;
+}
+
+Result<Json> list_files(const Session& session) {
+  const Folder& folder = session.folder();
+  return Json{{"folder", folder.path().filename().string()},
+              {"files", listed(folder.meshes())},
+              {"recipes", listed(folder.recipes())},
+              {"sessions", session.sessions()}};
 }
 
 std::string extension_of(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   return dot == std::string::npos ? "" : name.substr(dot + 1);
+}
+
+/// What the page sends is a mesh or a recipe; this is told by the name.
+bool is_recipe(const std::string& name) {
+  return extension_of(name) == "json";
 }
 
 bool is_true(const Json& body, const char* name) {
@@ -92,11 +104,15 @@ std::string text(const Json& body, const char* name) {
 Result<Json> execute(Session& session, const Request& request, Worker::Observer& observer) {
   const Json& body = request.body;
   switch (request.command) {
-  case Command::list_files: return list_files(session.folder());
+  case Command::list_files: return list_files(session);
   case Command::open_file: return done(session.open_file(body["name"], observer));
+  case Command::open_recipe: return done(session.open_recipe_file(body["name"], observer));
   case Command::component: return done(session.choose(body["component"], observer));
   case Command::restore: return done(session.restore(observer, text(body, "digest")));
   case Command::forget: session.forget(text(body, "digest")); return Json::object();
+  case Command::keep_picture: return done(session.keep_picture(body["picture"]));
+  case Command::prefer: return done(session.store().save_preferences(body["preferences"]));
+  case Command::cancel_drag: session.cancel_drag(integer(body, "drag")); return Json::object();
   case Command::edit:
     return session.edit(body["edit"], observer, integer(body, "drag"), is_true(body, "live"));
   case Command::preview: return session.preview(body["edit"], observer);
@@ -109,7 +125,8 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   case Command::export_quads:
     return save(session, body, session.export_quads(extension_of(body["name"]), observer));
   case Command::cancel: // by the hub, at once
-  case Command::chart: break;
+  case Command::chart:
+  case Command::deviation: break; // their frames go to one page only
   }
   return make_error(Error_code::internal_error, "the command is not carried out here");
 }
@@ -124,6 +141,7 @@ Hub::Hub(const Folder& folder, Post post)
         });
       })) {
   m_state = text_of(m_session->state());
+  m_preferences = m_session->store().preferences();
 }
 
 void Hub::stop() {
@@ -134,7 +152,9 @@ void Hub::stop() {
 
 void Hub::add(const std::shared_ptr<Client>& client) {
   m_clients.insert(client);
-  client->send({"", text_of({{"event", "hello"}, {"version", protocol_version}}), false});
+  client->send({"",
+                text_of({{"event", "hello"}, {"version", protocol_version}, {"preferences", m_preferences}}),
+                false});
   send_layers(*client);
   client->send({"state", m_state, false});
 }
@@ -214,19 +234,25 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
     if (const auto there = client.lock()) there->send({"", text_of(reply_json(id, result)), false});
   };
   const auto task = [this, request, client](Session& session, Worker::Observer& observer) -> Result<Json> {
-    if (request.command != Command::chart) return execute(session, request, observer);
-    Result<std::shared_ptr<const std::string>> frame = session.chart(request.body["chart"].get<int>());
+    const bool of_chart = request.command == Command::chart;
+    if (!of_chart && request.command != Command::deviation) return execute(session, request, observer);
+    Result<std::shared_ptr<const std::string>> frame =
+        of_chart ? session.chart(request.body["chart"].get<int>()) : session.deviation(observer);
     if (!frame) return frame.error();
-    m_post([client, frame = *frame] {
-      if (const auto there = client.lock()) there->send({"chart", frame, true});
+    m_post([client, of_chart, frame = *frame] {
+      if (const auto there = client.lock()) there->send({of_chart ? "chart" : "deviation", frame, true});
     });
     return Json::object();
   };
+  if (request.command == Command::prefer) m_preferences = request.body["preferences"];
   const bool live = request.command == Command::edit && is_true(request.body, "live");
   Standing standing;
-  standing.replaceable = request.command == Command::preview || request.command == Command::hints || live;
+  standing.replaceable = request.command == Command::preview || request.command == Command::hints ||
+                         request.command == Command::deviation || live;
   // Only looking makes nothing out of date.
-  standing.replaces = request.command != Command::chart && request.command != Command::list_files;
+  constexpr std::array looks{Command::chart, Command::deviation, Command::list_files, Command::keep_picture,
+                             Command::prefer};
+  standing.replaces = std::find(looks.begin(), looks.end(), request.command) == looks.end();
   if (live) standing.live_drag = integer(request.body, "drag");
   enqueue(task, reply, standing);
 }
@@ -249,7 +275,8 @@ void Hub::resume() {
 void Hub::upload(std::string name, std::string bytes, Download done_) {
   enqueue(
       [name = std::move(name), bytes = std::move(bytes)](Session& session, Worker::Observer& observer) {
-        return done(session.open_upload(name, bytes, observer));
+        return done(is_recipe(name) ? session.open_recipe(name, bytes, observer)
+                                    : session.open_upload(name, bytes, observer));
       },
       [done_](Result<Json> result) {
         if (result)

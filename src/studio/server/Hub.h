@@ -68,6 +68,7 @@ private:
   Layers m_layers, m_layers_before; ///< as published last, and the time before
   Layers m_patches;                 ///< what makes those of these; some have none
   std::shared_ptr<const std::string> m_state;
+  Json m_preferences; ///< that pages have asked to be kept
   /// \name The worker's
   /// @{
   std::unique_ptr<Session> m_session;

@@ -16,9 +16,12 @@ namespace studio {
 enum class Command {
   list_files,
   open_file,
+  open_recipe,
   component,
   restore,
   forget,
+  keep_picture,
+  prefer,
   edit,
   preview,
   hints,
@@ -26,7 +29,9 @@ enum class Command {
   redo,
   go_to,
   cancel,
+  cancel_drag,
   chart,
+  deviation,
   certify,
   save_recipe,
   export_quads

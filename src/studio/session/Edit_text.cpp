@@ -21,6 +21,48 @@ constexpr std::array told{
     Told{"value", ": ", ""},
 };
 
+/// Edits and operators of textures whose words in the page are not their names.
+struct Word {
+  const char* name;
+  const char* word;
+};
+constexpr std::array renamed{
+    Word{"suggest", "suggest a design"},
+    Word{"remove_extremum", "delete extremum"},
+    Word{"subdivide_chart", "add contour"},
+    Word{"set_target", "set number"},
+    Word{"set_columns", "set number around"},
+    Word{"set_rows", "set number along"},
+    Word{"set_shift", "twist chart"},
+    Word{"set_grading", "set density"},
+    Word{"pin_corners", "make regular"},
+    Word{"move_corner", "turn corners"},
+    Word{"collapse_thin_charts", "collapse thin charts"},
+    Word{"drag_vertices", "drag vertex"},
+    Word{"snap_vertices", "snap vertex"},
+    Word{"relax_texture", "smooth texture"},
+    Word{"reset_texture", "make texture regular"},
+    Word{"subdivide", "refine texture"},
+    Word{"coarsen", "coarsen texture"},
+    Word{"insert_polychord", "insert strip"},
+    Word{"delete_polychord", "delete strip"},
+    Word{"inset_quads", "inset quad"},
+    Word{"rotate_edge", "turn edge left"},
+    Word{"rotate_edge_back", "turn edge right"},
+    Word{"rotate_vertex", "turn vertex"},
+    Word{"insert_doublet", "add doublet"},
+    Word{"delete_quads", "make hole"},
+    Word{"restore_quads", "fill hole"},
+};
+
+std::string in_words(const std::string& name) {
+  for (const Word& each : renamed)
+    if (name == each.name) return each.word;
+  std::string text = name;
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
 std::string words(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) {
@@ -35,8 +77,9 @@ std::string words(const Json& value) {
 std::string edit_text(const Json& edit) {
   const auto name = edit.find("edit");
   if (name == edit.end() || !name->is_string()) return "edit";
-  std::string text = *name;
-  std::replace(text.begin(), text.end(), '_', ' ');
+  const auto operation = edit.find("operator");
+  const bool is_operator = *name == "edit_texture" && operation != edit.end() && operation->is_string();
+  std::string text = in_words(is_operator ? *operation : *name);
   if (text == "lock chart" && edit.value("locked", Json(true)) == false) text = "unlock chart";
   if (text == "add extremum" && edit.contains("maximum"))
     text = edit["maximum"] == true ? "add maximum" : "add minimum";

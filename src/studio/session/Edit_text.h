@@ -7,7 +7,7 @@
 namespace reebquad {
 namespace studio {
 
-/// An edit in the words of the history list: "subdivide chart", "set target (3000 quads)".
+/// An edit in the words of the page's tools and lists: "add contour", "set number: 3000 quads", "insert strip".
 std::string edit_text(const Json& edit);
 
 } // namespace studio

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <fstream>
 
 namespace reebquad {
 namespace studio {
@@ -35,12 +36,26 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return rest == folder.end() && unused != path.end();
 }
 
-bool is_mesh(const fs::path& path) {
+/// In lower case.
+std::string extension_of(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+bool is_mesh(const fs::path& path) {
+  const std::string extension = extension_of(path);
   constexpr std::array<const char*, 4> known{".obj", ".off", ".ply", ".stl"};
   return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+bool is_recipe(const fs::path& path) {
+  if (extension_of(path) != ".json") return false;
+  std::string begin(200, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), std::streamsize(begin.size()));
+  return begin.find("\"reebquad recipe\"") != std::string::npos;
 }
 
 } // namespace
@@ -62,6 +77,14 @@ Result<std::string> Folder::resolve(const std::string& name) const {
 }
 
 std::vector<Listed_file> Folder::meshes(std::size_t limit) const {
+  return files(is_mesh, limit);
+}
+
+std::vector<Listed_file> Folder::recipes(std::size_t limit) const {
+  return files(is_recipe, limit);
+}
+
+std::vector<Listed_file> Folder::files(bool (*is_wanted)(const fs::path&), std::size_t limit) const {
   std::vector<Listed_file> files;
   std::error_code failed;
   fs::recursive_directory_iterator entry(m_path, fs::directory_options::skip_permission_denied, failed);
@@ -74,7 +97,7 @@ std::vector<Listed_file> Folder::meshes(std::size_t limit) const {
       if (entry->is_directory(unknown)) entry.disable_recursion_pending();
       if (leaf.front() == '.') continue;
     }
-    if (!entry->is_regular_file(unknown) || !is_mesh(entry->path())) continue;
+    if (!entry->is_regular_file(unknown) || !is_wanted(entry->path())) continue;
     const std::string name = entry->path().lexically_relative(m_path).generic_string();
     if (resolve(name)) files.push_back({name, entry->file_size(unknown)});
   }

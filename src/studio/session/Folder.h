@@ -34,8 +34,12 @@ public:
 
   /// The mesh files in the folder and below, at most `limit` and three levels deep, by name.
   std::vector<Listed_file> meshes(std::size_t limit = 500) const;
+  /// The recipes there, which are told by how they begin.
+  std::vector<Listed_file> recipes(std::size_t limit = 500) const;
 
 private:
+  std::vector<Listed_file> files(bool (*is_wanted)(const std::filesystem::path&), std::size_t limit) const;
+
   std::filesystem::path m_path; // canonical
 };
 

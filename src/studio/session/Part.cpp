@@ -3,6 +3,10 @@
 
 #include "session/Edit_text.h"
 
+#include <CGAL/Reeb_quadrangulation/IO/recipe.h>
+
+#include <chrono>
+
 namespace reebquad {
 namespace studio {
 
@@ -58,6 +62,34 @@ Result<void> Part::begin(Observer* observer) {
   if (!work) return work.error();
   m_work = std::move(*work);
   m_surface = Triangle_surface();
+  return {};
+}
+
+Result<void> Part::follow(const Recipe& recipe, Observer& observer) {
+  Result<std::unique_ptr<Workpiece>> work = Workpiece::create(surface(), m_origin, &observer, recipe);
+  if (!work) return work.error();
+  std::vector<double> milliseconds;
+  for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const Json edit = Json::parse(to_json(recipe.edits[i]));
+    if (const Result<Json> done = (*work)->apply(edit, &observer); !done) {
+      Error error = done.error();
+      if (error.code != Error_code::cancelled)
+        error.message = "step " + std::to_string(i + 1) + " of " + std::to_string(recipe.edits.size()) +
+                        " (" + edit_text(edit) + ") cannot be done on this mesh: " + error.message;
+      return error;
+    }
+    milliseconds.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  Recipe base = recipe;
+  base.edits.clear();
+  base.component = base.fill_holes = 0;
+  const std::string text = to_json(base);
+  m_base = text == to_json(Recipe()) ? Json(nullptr) : Json::parse(text);
+  m_work = std::move(*work);
+  m_surface = Triangle_surface();
+  m_milliseconds = std::move(milliseconds);
   return {};
 }
 

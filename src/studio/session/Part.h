@@ -21,6 +21,10 @@ public:
 
   /// Prepares the surface for designs, where that was not done yet.
   Result<void> begin(Observer* observer);
+  /// Does the edits of a recipe, with its options, in place of what was done so far; if one fails, that stays.
+  Result<void> follow(const CGAL::Reeb_quadrangulation::Recipe& recipe, Observer& observer);
+  /// The recipe that was followed last, without its edits; null if it has what every design has.
+  const Json& base() const { return m_base; }
   Workpiece* work() const { return m_work.get(); }
   bool has_quads() const { return m_work && m_work->quads(); }
 
@@ -58,6 +62,7 @@ private:
   CGAL::Reeb_quadrangulation::Triangle_surface m_surface; ///< until it is begun
   CGAL::Reeb_quadrangulation::Point m_origin;
   Json m_facts;
+  Json m_base = nullptr;
   std::unique_ptr<Workpiece> m_work;
   std::vector<double> m_milliseconds; ///< of each edit
   std::optional<CGAL::Reeb_quadrangulation::Certificate> m_certificate;

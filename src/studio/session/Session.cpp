@@ -21,6 +21,8 @@ using namespace CGAL::Reeb_quadrangulation;
 namespace {
 
 constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
+constexpr std::uint64_t largest_recipe = std::uint64_t(256) << 20;
+constexpr std::size_t sessions_with_pictures = 24;
 constexpr int defects_listed_per_kind = 30;
 
 class Stopwatch {
@@ -221,6 +223,11 @@ Result<void> Session::resume(Observer& observer) {
 
 Result<void> Session::repeat(const Saved_part& saved, Observer& observer) {
   if (Result<void> chosen = choose(saved.component, observer); !chosen) return chosen;
+  if (!saved.base.is_null()) {
+    const Result<Recipe> base = recipe_from_json(saved.base.dump());
+    if (!base) return base.error();
+    if (Result<void> begun = part()->follow(*base, observer); !begun) return begun;
+  }
   for (const Json& each : saved.edits)
     if (Result<Json> done = edit(each, observer); !done) return done.error();
   return go_to(saved.applied);
@@ -245,15 +252,71 @@ Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t dr
     if (Result<void> undone = work()->undo(); !undone) return undone.error();
   Result<Json> done = work()->apply(edit, &observer, live);
   if (!done) {
-    // The edit before is back, unless this one was stopped when it had taken its place already.
-    if (replaces && !work()->redo()) changed(watch.milliseconds(), "stopped dragging");
-    if (replaces && !live && m_keeps) save();
+    // While dragging the edit before is back, unless this one was stopped when it had taken its place already.
+    if (replaces && live && !work()->redo()) changed(watch.milliseconds(), "stopped dragging");
+    if (replaces && !live) {
+      work()->forget_undone();
+      changed(watch.milliseconds(), "the place was refused: everything is as it was before the drag");
+    }
     return done;
   }
   part()->took(watch.milliseconds());
   changed(watch.milliseconds(), edit_text(edit), !live);
   m_drag = drag;
   return done;
+}
+
+void Session::cancel_drag(std::int64_t drag) {
+  if (!work() || drag <= 0 || drag != m_drag) return;
+  const Stopwatch watch;
+  work()->take_back();
+  changed(watch.milliseconds(), "the drag was taken back");
+}
+
+Result<void> Session::open_recipe_file(const std::string& name, Observer& observer) {
+  Result<std::string> path = m_folder.resolve(name);
+  if (!path) return path.error();
+  Result<std::string> bytes = read_file(*path, largest_recipe);
+  if (!bytes) return make_error(bytes.error().code, name + ": " + bytes.error().message);
+  return open_recipe(name, *bytes, observer);
+}
+
+Result<void> Session::open_recipe(const std::string& name, const std::string& text, Observer& observer) {
+  if (!work()) return make_error(Error_code::impossible_request, "open the mesh of the recipe first");
+  const Stopwatch watch;
+  Result<Recipe> recipe = recipe_from_json(text);
+  if (!recipe) return make_error(recipe.error().code, name + ": " + recipe.error().message);
+  const std::size_t wanted = recipe->component > 0 ? std::size_t(recipe->component) - 1 : m_part;
+  if (wanted >= m_parts.size())
+    return make_error(Error_code::impossible_request, name + " is for part " +
+                                                          std::to_string(recipe->component) +
+                                                          ", which this mesh has not");
+  Part& part = *m_parts[wanted];
+  if (recipe->fill_holes > 0 && part.facts()["boundary_loops"] != 0)
+    return make_error(Error_code::impossible_request,
+                      name + " fills the holes of the mesh first: open the mesh with its holes filled");
+  if (Result<void> done = part.follow(*recipe, observer); !done)
+    return make_error(done.error().code, name + ": " + done.error().message);
+  m_part = wanted;
+  changed(watch.milliseconds(), "followed the recipe " + name);
+  return {};
+}
+
+Json Session::sessions() const {
+  Json list = Json::array();
+  for (const Saved_session& each : m_store.sessions()) {
+    list.push_back({{"name", each.name},
+                    {"edits", each.number_of_edits()},
+                    {"digest", each.digest},
+                    {"saved", each.saved}});
+    if (list.size() <= sessions_with_pictures) list.back()["picture"] = m_store.picture(each.digest);
+  }
+  return list;
+}
+
+Result<void> Session::keep_picture(const std::string& picture) const {
+  if (!part()) return no_mesh();
+  return m_store.save_picture(m_saved.digest, picture);
 }
 
 Result<Json> Session::preview(const Json& edit, Observer& observer) const {
@@ -264,7 +327,10 @@ Result<Json> Session::preview(const Json& edit, Observer& observer) const {
 Result<Json> Session::hints(Observer& observer) const {
   if (!work()) return no_mesh();
   Quiet_observer quiet(observer);
-  return work()->hints(&quiet);
+  Result<Json> hints = work()->hints(&quiet);
+  if (hints)
+    for (Json& hint : *hints) hint["text"] = edit_text(hint["edit"]);
+  return hints;
 }
 
 Result<void> Session::step(bool forward) {
@@ -315,7 +381,7 @@ void Session::save() {
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     const Workpiece* each = m_parts[i]->work();
     const std::vector<Json> edits = each ? each->edits() : std::vector<Json>();
-    if (!edits.empty()) m_saved.parts.push_back({int(i) + 1, edits, each->applied()});
+    if (!edits.empty()) m_saved.parts.push_back({int(i) + 1, edits, each->applied(), m_parts[i]->base()});
   }
   if (Result<void> saved = m_store.save(m_saved); !saved) {
     // The work itself is done; the page says that it is not kept.
@@ -374,6 +440,11 @@ Result<std::shared_ptr<const std::string>> Session::chart(int index) const {
   return work()->chart(index);
 }
 
+Result<std::shared_ptr<const std::string>> Session::deviation(const Observer& observer) const {
+  if (!work()) return no_mesh();
+  return work()->deviation(&observer);
+}
+
 Result<std::string> Session::export_quads(const std::string& extension, Observer& observer) {
   if (Result<void> finished = finish_all(observer); !finished) return finished.error();
   const Mesh_format format = format_of_extension("quads." + extension);
@@ -429,15 +500,13 @@ Json Session::state() const {
   if (!work()) {
     const std::optional<Saved_session> last = m_store.load();
     if (last) state["last_session"] = {{"name", last->name}, {"edits", last->number_of_edits()}};
-    state["sessions"] = Json::array();
-    for (const Saved_session& each : m_store.sessions())
-      state["sessions"].push_back(
-          {{"name", each.name}, {"edits", each.number_of_edits()}, {"digest", each.digest}});
+    state["sessions"] = sessions();
     state["unreadable_sessions"] = m_store.unreadable();
     return state;
   }
   state["file"].update(part()->facts());
   state["file"]["component"] = m_part + 1;
+  state["file"]["digest"] = m_saved.digest;
   state["file"]["components"] = Json::array();
   for (const auto& each : m_parts) state["file"]["components"].push_back(each->facts());
   state["history"] = part()->history();

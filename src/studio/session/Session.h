@@ -22,6 +22,9 @@ public:
   /// Opening a mesh brings back what was done to it before, if there is a session of it.
   Result<void> open_file(const std::string& name, Observer& observer);
   Result<void> open_upload(const std::string& name, const std::string& bytes, Observer& observer);
+  /// Does the edits of a recipe, in place of those that were done to the part that it is for.
+  Result<void> open_recipe(const std::string& name, const std::string& text, Observer& observer);
+  Result<void> open_recipe_file(const std::string& name, Observer& observer);
   /// Works on another connected component of the mesh, counted from 1; what was done to the others stays.
   Result<void> choose(std::int64_t component, Observer& observer);
   /// Opens the mesh of the session with that digest, or of the last one if it is empty, and repeats its
@@ -33,6 +36,8 @@ public:
   /// Of the edits of one `drag` (a positive number that the page chose) only the last stays: each takes the
   /// place of the one before. `live` ones are not saved.
   Result<Json> edit(const Json& edit, Observer& observer, std::int64_t drag = 0, bool live = false);
+  /// Takes back what a drag did so far, as if it had not been; nothing if something else was done since.
+  void cancel_drag(std::int64_t drag);
   /// See `Workpiece`.
   Result<Json> preview(const Json& edit, Observer& observer) const;
   Result<Json> hints(Observer& observer) const;
@@ -54,6 +59,7 @@ public:
   /// The geometry; made anew after a change only.
   const Layers& layers();
   Result<std::shared_ptr<const std::string>> chart(int index) const;
+  Result<std::shared_ptr<const std::string>> deviation(const Observer& observer) const;
   /// The quads of all components that have some, in the format of that extension ("obj", "off", "ply", "vtk",
   /// "stl", "glb").
   Result<std::string> export_quads(const std::string& extension, Observer& observer);
@@ -62,6 +68,11 @@ public:
   /// Of the component that is worked on.
   Result<std::string> recipe() const;
 
+  /// The sessions that can be brought back, the newest first: `name`, `edits`, `digest`, `saved`, `picture`.
+  Json sessions() const;
+  /// Keeps a small picture of the mesh that is open; see `Store`.
+  Result<void> keep_picture(const std::string& picture) const;
+  const Store& store() const { return m_store; }
   const Folder& folder() const { return m_folder; }
   /// Whether a path leads to the file of the mesh that is open.
   bool is_open_file(const std::string& path) const;

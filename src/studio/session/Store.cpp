@@ -31,6 +31,10 @@ constexpr int deepest_session = 24;
 constexpr std::uint64_t largest_session = std::uint64_t(64) << 20;
 constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
 constexpr std::size_t most_sessions = 200; // that are looked at
+constexpr std::uint64_t largest_picture = std::uint64_t(1) << 18, largest_preferences = std::uint64_t(1)
+                                                                                        << 14;
+const char* const picture_prefix = "picture-";
+const char* const preferences_name = "preferences.json";
 const char* const upload_prefix = "mesh-";
 const char* const session_prefix = "session-";
 const char* const session_suffix = ".json";
@@ -45,6 +49,7 @@ std::optional<Saved_part> part_of(const Json& json) {
   Saved_part part;
   json.at("component").get_to(part.component);
   part.edits = json.at("edits");
+  part.base = json.value("base", Json(nullptr));
   json.at("applied").get_to(part.applied);
   if (part.component < 1 || !part.edits.is_array() || part.applied < 0 ||
       part.applied > int(part.edits.size()))
@@ -78,8 +83,10 @@ std::string digest(const std::string& bytes) {
 
 std::string to_json(const Saved_session& session) {
   Json parts = Json::array();
-  for (const Saved_part& part : session.parts)
+  for (const Saved_part& part : session.parts) {
     parts.push_back({{"component", part.component}, {"edits", part.edits}, {"applied", part.applied}});
+    if (!part.base.is_null()) parts.back()["base"] = part.base;
+  }
   const Json json{{"version", format_version},
                   {"name", session.name},
                   {"file", session.file},
@@ -189,7 +196,10 @@ std::vector<Saved_session> Store::sessions() const {
     if (!text) continue;
     std::optional<Saved_session> session = session_from_json(*text);
     const auto same = [&](const Saved_session& other) { return other.digest == session->digest; };
-    if (session && std::none_of(all.begin(), all.end(), same)) all.push_back(std::move(*session));
+    if (!session || std::any_of(all.begin(), all.end(), same)) continue;
+    struct stat status;
+    if (::lstat(path.c_str(), &status) == 0) session->saved = status.st_mtime;
+    all.push_back(std::move(*session));
   }
   return all;
 }
@@ -250,6 +260,37 @@ Result<std::string> Store::load_mesh(const Saved_session& session) const {
   return bytes;
 }
 
+Result<void> Store::save_picture(const std::string& wanted, const std::string& picture) const {
+  if (!is_digest(wanted) || picture.size() > largest_picture || picture.rfind("data:image/", 0) != 0)
+    return make_error(Error_code::impossible_request, "this is no small picture of a session");
+  if (Result<void> made = make_folder(); !made) return made;
+  return write_file_atomically((m_folder / (picture_prefix + wanted)).string(), picture,
+                               Written_link::replaced);
+}
+
+std::string Store::picture(const std::string& wanted) const {
+  if (!is_trusted() || !is_digest(wanted)) return "";
+  Result<std::string> text =
+      read_file((m_folder / (picture_prefix + wanted)).string(), largest_picture, Symbolic_link::refused);
+  return text && text->rfind("data:image/", 0) == 0 ? *text : "";
+}
+
+Result<void> Store::save_preferences(const Json& preferences) const {
+  const std::string text = preferences.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (!preferences.is_object() || text.size() > largest_preferences)
+    return make_error(Error_code::impossible_request, "these are no preferences");
+  if (Result<void> made = make_folder(); !made) return made;
+  return write_file_atomically((m_folder / preferences_name).string(), text, Written_link::replaced);
+}
+
+Json Store::preferences() const {
+  if (!is_trusted()) return Json::object();
+  const Result<std::string> text =
+      read_file((m_folder / preferences_name).string(), largest_preferences, Symbolic_link::refused);
+  const Json json = text ? parse_bounded(*text, 4) : Json();
+  return json.is_object() ? json : Json::object();
+}
+
 void Store::forget(const std::string& wanted) const {
   if (!is_trusted() || !is_digest(wanted)) return;
   std::error_code ignored;
@@ -259,6 +300,7 @@ void Store::forget(const std::string& wanted) const {
   if (const auto old = text ? session_from_json(*text) : std::nullopt; old && old->digest == wanted)
     fs::remove(former, ignored);
   fs::remove(upload_path(wanted), ignored);
+  fs::remove(m_folder / (picture_prefix + wanted), ignored);
 }
 
 } // namespace studio

@@ -15,7 +15,8 @@ namespace studio {
 struct Saved_part {
   int component = 1; ///< counted from 1
   Json edits = Json::array();
-  int applied = 0; ///< the first so many edits are applied, the others can be redone
+  int applied = 0;     ///< the first so many edits are applied, the others can be redone
+  Json base = nullptr; ///< of a recipe that was opened here: all but its edits
 };
 
 /// A design as it is kept on disk: where the mesh is, and what was done to it.
@@ -26,6 +27,7 @@ struct Saved_session {
   std::string digest;            ///< of its bytes
   std::vector<Saved_part> parts; ///< those with edits, by increasing component
   int component = 1;             ///< that is worked on
+  std::int64_t saved = 0;        ///< when its file was written, in seconds since 1970; read only
   std::size_t number_of_edits() const;
 };
 
@@ -56,7 +58,17 @@ public:
   Result<std::string> set_aside(const std::string& digest) const;
   /// The bytes of its mesh. Fails with `unreadable_file` if they are gone or were changed since.
   Result<std::string> load_mesh(const Saved_session& session) const;
-  /// Removes a session and, if it was uploaded, its mesh.
+  /// \name What pages keep
+  /// A small picture of a session as the text of a `data:` address, and what a user prefers.
+  /// @{
+  Result<void> save_picture(const std::string& digest, const std::string& picture) const;
+  /// Empty if there is none.
+  std::string picture(const std::string& digest) const;
+  Result<void> save_preferences(const Json& preferences) const;
+  /// An object; empty if nothing is kept.
+  Json preferences() const;
+  /// @}
+  /// Removes a session with its picture and, if it was uploaded, its mesh.
   void forget(const std::string& digest) const;
 
 private:

@@ -3,6 +3,7 @@
 
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
+#include <CGAL/Reeb_quadrangulation/deviation.h>
 
 #include <algorithm>
 
@@ -90,6 +91,27 @@ int chart_of(const Pole_fan& fan, const Stitched_mesh& quads) {
   return -1;
 }
 
+/// Points relative to `origin`.
+Json deviation_json(const Deviation& deviation, const Point& origin) {
+  const auto place = [&](const Point& p) {
+    return Json{p.x() - origin.x(), p.y() - origin.y(), p.z() - origin.z()};
+  };
+  Json worst = Json::array(), corners = Json::array();
+  for (const Deviation_place& each : deviation.worst)
+    worst.push_back({{"place", place(each.point)},
+                     {"distance", each.distance},
+                     {"of", each.on_surface ? "surface" : "quads"}});
+  for (const Point& p : deviation.lost_corners) corners.push_back(place(p));
+  return {{"diagonal", deviation.diagonal},
+          {"of_surface", deviation.greatest_of_surface},
+          {"of_quads", deviation.greatest_of_quads},
+          {"worst", worst},
+          {"corners", deviation.corners},
+          {"lost_corners", corners},
+          {"sharp_length", deviation.sharp_length},
+          {"lost_sharp_length", deviation.lost_sharp_length}};
+}
+
 Json chart_json(const Design_chart& chart) {
   return {{"id", chart.id},
           {"kind", chart.chart->kind == Chart_kind::disc ? "disc" : "annulus"},
@@ -106,8 +128,8 @@ Json chart_json(const Design_chart& chart) {
 
 } // namespace
 
-Workpiece::Workpiece(Editor editor, const Point& origin)
-    : m_editor(std::move(editor)), m_drawing(m_editor.working_surface()), m_origin(origin) {
+Workpiece::Workpiece(Editor editor, const Point& origin, const Finish_options& finish)
+    : m_editor(std::move(editor)), m_finish(finish), m_drawing(m_editor.working_surface()), m_origin(origin) {
   Layer_source source;
   source.surface = &m_editor.working_surface();
   source.origin = m_origin;
@@ -115,10 +137,10 @@ Workpiece::Workpiece(Editor editor, const Point& origin)
 }
 
 Result<std::unique_ptr<Workpiece>> Workpiece::create(Triangle_surface surface, const Point& origin,
-                                                     Observer* observer) {
-  Result<Editor> editor = Editor::create(std::move(surface), {}, observer);
+                                                     Observer* observer, const Recipe& base) {
+  Result<Editor> editor = Editor::create(std::move(surface), base.options, observer);
   if (!editor) return editor.error();
-  return std::unique_ptr<Workpiece>(new Workpiece(std::move(*editor), origin));
+  return std::unique_ptr<Workpiece>(new Workpiece(std::move(*editor), origin, base.finish));
 }
 
 Result<Json> Workpiece::apply(const Json& edit, Observer* observer, bool live) {
@@ -154,6 +176,12 @@ Result<Json> Workpiece::hints(Observer* observer) const {
   return Json::parse(to_json(*found));
 }
 
+void Workpiece::take_back() {
+  m_editor.undo();
+  forget_undone();
+  stitch();
+}
+
 Result<void> Workpiece::undo() {
   if (!m_editor.can_undo()) return make_error(Error_code::impossible_request, "there is nothing to undo");
   m_editor.undo();
@@ -182,7 +210,7 @@ void Workpiece::stitch() {
 
 Result<void> Workpiece::finish(Observer* observer) {
   if (is_finished()) return {};
-  Result<Finished_design> finished = m_editor.finished_quads({}, observer);
+  Result<Finished_design> finished = m_editor.finished_quads(m_finish, observer);
   if (!finished) return finished.error();
   m_quads = std::move(finished->quads);
   m_fans = pole_fans(m_editor.design(), *m_quads);
@@ -191,7 +219,9 @@ Result<void> Workpiece::finish(Observer* observer) {
 }
 
 Recipe Workpiece::recipe() const {
-  return recipe_of(m_editor);
+  Recipe recipe = recipe_of(m_editor);
+  recipe.finish = m_finish;
+  return recipe;
 }
 
 Layers Workpiece::layers() {
@@ -237,6 +267,27 @@ Json Workpiece::facts() const {
           {"target_quads", design.target_quads},
           {"edge_length", design.edge_length},
           {"fans", fan_sentence(m_fans)}};
+}
+
+Result<std::shared_ptr<const std::string>> Workpiece::deviation(const Observer* observer) const {
+  if (!m_quads) return make_error(Error_code::impossible_request, "there are no quads yet");
+  Deviation_options options;
+  options.observer = observer;
+  const Stitched_mesh paired = with_paired_fans(*m_quads, m_fans);
+  Result<Deviation> measured = measure_deviation(paired.mesh, m_editor.working_surface(), options);
+  if (!measured) return measured.error();
+  // As they are drawn, two triangles for each pair.
+  std::vector<float> of_quads;
+  for (std::size_t q = 0; q < measured->of_quads.size(); ++q)
+    of_quads.insert(of_quads.end(), q < m_quads->mesh.quads.size() ? 1 : 2, float(measured->of_quads[q]));
+  Frame frame("deviation");
+  frame.data = deviation_json(*measured, m_origin);
+  frame.add("surface", std::vector<float>(measured->of_surface.begin(), measured->of_surface.end()));
+  frame.add("quads", of_quads);
+  std::vector<Point> ends;
+  for (const auto& edge : measured->lost_sharp_edges) ends.insert(ends.end(), edge.begin(), edge.end());
+  frame.add_points("lost_edges", ends, m_origin);
+  return frame.encode();
 }
 
 Result<std::shared_ptr<const std::string>> Workpiece::chart(int id) const {

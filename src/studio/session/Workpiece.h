@@ -19,10 +19,11 @@ public:
   using Observer = CGAL::Reeb_quadrangulation::Observer;
   template <class T> using Result = CGAL::Reeb_quadrangulation::Result<T>;
 
-  /// Nothing is designed yet. Layers have their points relative to `origin`. \pre `surface` is connected by `connect()`
+  /// Nothing is designed yet; of `base` the options and the finish are used. Layers have their points relative to `origin`. \pre `surface` is connected by `connect()`
   static Result<std::unique_ptr<Workpiece>> create(CGAL::Reeb_quadrangulation::Triangle_surface surface,
                                                    const CGAL::Reeb_quadrangulation::Point& origin,
-                                                   Observer* observer);
+                                                   Observer* observer,
+                                                   const CGAL::Reeb_quadrangulation::Recipe& base = {});
 
   /// \name Edits
   /// One that fails leaves everything as it was. Afterwards the quads are as they are stitched, until `finish()`.
@@ -33,6 +34,10 @@ public:
   Result<Json> preview(const Json& edit, Observer* observer) const;
   /// Edits that are worth while, as `to_json()` of hints writes them.
   Result<Json> hints(Observer* observer) const;
+  /// Undoes the last edit as if it had not been done: it cannot be redone. \pre there is one
+  void take_back();
+  /// Edits that were undone cannot be redone.
+  void forget_undone() { m_edits.resize(std::size_t(applied())); }
   Result<void> undo();
   Result<void> redo();
   /// Relaxes the quads on the surface, as `reebquad replay` ends.
@@ -50,6 +55,9 @@ public:
   /// The frame of a chart's texture. Fails with `impossible_request` if there is no chart of that identity.
   Result<std::shared_ptr<const std::string>> chart(int id) const;
 
+  /// The frame of how far surface and quads are from each other. Fails where there are no quads.
+  Result<std::shared_ptr<const std::string>> deviation(const Observer* observer) const;
+
   const CGAL::Reeb_quadrangulation::Triangle_surface& surface() const { return m_editor.input(); }
   /// The quads with the valences that the layout predicts, or null while there are none.
   const CGAL::Reeb_quadrangulation::Stitched_mesh* quads() const { return m_quads ? &*m_quads : nullptr; }
@@ -58,10 +66,12 @@ public:
   bool is_finished() const { return m_finished || !m_quads; }
 
 private:
-  Workpiece(CGAL::Reeb_quadrangulation::Editor editor, const CGAL::Reeb_quadrangulation::Point& origin);
+  Workpiece(CGAL::Reeb_quadrangulation::Editor editor, const CGAL::Reeb_quadrangulation::Point& origin,
+            const CGAL::Reeb_quadrangulation::Finish_options& finish);
   void stitch();
 
   CGAL::Reeb_quadrangulation::Editor m_editor;
+  CGAL::Reeb_quadrangulation::Finish_options m_finish;
   Design_drawing m_drawing; ///< of the design as the layers show it
   CGAL::Reeb_quadrangulation::Point m_origin;
   Layers m_surface; ///< the layer of the surface, which no edit changes

@@ -22,16 +22,20 @@ import { chartPanel } from "./ui/chart_panel";
 import { designPanel } from "./ui/design_panel";
 import { defectsPanel } from "./ui/defects_panel";
 import { h, icon, save } from "./ui/dom";
+import { DeviationPanel } from "./ui/deviation_panel";
 import { HintsPanel } from "./ui/hints_panel";
 import { historyPanel } from "./ui/history_panel";
 import { icons } from "./ui/icons";
 import { keyboardHelp, listenToKeys, type Shortcut } from "./ui/keyboard";
 import { layersPanel } from "./ui/layers_panel";
 import { openDialog } from "./ui/open_dialog";
+import { askName, question } from "./ui/question";
 import { partsPanel } from "./ui/parts_panel";
 import { progressBar } from "./ui/progress";
 import { qualityPanel } from "./ui/quality_panel";
 import { statusBar } from "./ui/status_bar";
+import { Thumbnails } from "./ui/thumbnails";
+import { elementName, plain } from "./ui/words";
 import { startTheme } from "./ui/theme";
 import { Toasts } from "./ui/toasts";
 import { showView, viewsBar } from "./ui/views_bar";
@@ -45,7 +49,7 @@ const advice: Record<string, string> = {
 };
 
 /** Commands after which an earlier failure is of no interest. */
-const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "component"]);
+const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "open_recipe", "component"]);
 
 export class App implements Workbench {
   readonly store = new Store();
@@ -58,7 +62,10 @@ export class App implements Workbench {
   private readonly drags: DragEdits;
   private findingMark: PlaceMark | null = null;
   private toastMark: PlaceMark | null = null;
+  private readonly thumbnails: Thumbnails;
+  private readonly deviation: DeviationPanel;
   private readonly hintsHost = h("div", {});
+  private readonly deviationHost = h("div", {});
   /** The file and the part of it that is shown. */
   private shown = "";
   private hadQuads = false;
@@ -66,20 +73,24 @@ export class App implements Workbench {
   constructor(root: HTMLElement) {
     this.connection = new Connection({
       state: (state) => this.takeState(state),
-      frame: (frame) => (frame.layer === "chart" ? this.chartView.take(frame) : this.stage.take(frame)),
+      frame: (frame) => (frame.layer === "chart" ? this.chartView.take(frame) : frame.layer === "deviation" ? this.deviation.take(frame) : this.stage.take(frame)),
       layerGone: (layer) => this.stage.remove(layer),
       progress: (stage, fraction) => this.store.set("busy", stage ? { stage, fraction } : null),
       trouble: (message) => this.toasts.show("That did not work", message, "bad"),
       connected: (yes) => this.store.set("connected", yes),
     });
-    this.drags = new DragEdits(this.connection, (error) => this.tell(error));
+    this.drags = new DragEdits(this.connection, (error) => this.tell(error), (reason) => this.tools.tellRefusal(reason && plain(reason)));
     const canvasHost = h("div", { className: "canvas" });
     const overlay = h("div", { className: "overlay" });
-    const openMesh = openDialog(this.connection, (file) => void this.upload(file), (name) => void this.openFile(name));
+    const openMesh = openDialog({
+      connection: this.connection, store: this.store, take: (file) => void this.take([file]), openMesh: (name) => void this.openFile(name),
+      openRecipe: (name) => void this.openRecipe(name, () => this.ask("open_recipe", { name })), restore: (digest) => void this.ask("restore", { digest }),
+    });
     this.toasts = new Toasts();
     const help = this.makeShell(root, canvasHost, overlay, openMesh);
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
+    this.thumbnails = new Thumbnails(this.connection, () => this.viewport.thumbnail());
     this.findingMark = new PlaceMark(this.viewport);
     this.toastMark = new PlaceMark(this.viewport);
     this.tools = new ToolBox(this, overlay);
@@ -88,6 +99,8 @@ export class App implements Workbench {
     for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
     for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
     this.tools.add(new TextureTool(this));
+    this.deviation = new DeviationPanel(this, (measured) => this.store.set("deviation", measured));
+    this.deviationHost.append(this.deviation.element);
     this.hintsHost.append(new HintsPanel(this).element);
     this.tools.choose("select");
     this.wire(canvasHost, openMesh, help);
@@ -120,6 +133,10 @@ export class App implements Workbench {
     this.drags.end();
   }
 
+  cancelDrag(): void {
+    this.drags.cancel();
+  }
+
   /** Looks at a place of the surface from outside. */
   flyTo(place: THREE.Vector3, distance?: number): void {
     this.viewport.focus(place, distance, this.stage.surface.normalAt(place));
@@ -130,9 +147,9 @@ export class App implements Workbench {
     const message = error instanceof Error ? error.message : String(error);
     if (!(error instanceof RequestError)) return this.toasts.show("That did not work", capital(message), "bad");
     const { element, index, code } = error.failure, place = code in advice ? this.placeOf(element, index) : null;
-    const where = index < 0 || place ? "" : ` (${element} ${index})`;
+    const where = elementName(element, index, this.store.get("state")?.facts?.charts ?? []);
     const show = place && { name: "Show", run: () => (this.flyTo(place), this.toastMark?.show(place)) };
-    this.toasts.show("That did not work", [capital(message) + where, advice[code] ?? ""].join(". "), "bad", show ?? undefined, () => this.toastMark?.show(null));
+    this.toasts.show("That did not work", [capital(plain(message)) + where, advice[code] ?? ""].join(". "), "bad", show ?? undefined, () => this.toastMark?.show(null));
   }
 
   /** Where an element of the surface or of the design is. */
@@ -154,16 +171,60 @@ export class App implements Workbench {
     }
   }
 
+  /** Files that were chosen or dropped: a mesh, a recipe, or both, which belong together then. */
+  async take(files: readonly File[]): Promise<void> {
+    const recipe = files.find(isRecipe), mesh = files.find((file) => !isRecipe(file));
+    if (mesh) await this.upload(mesh);
+    if (recipe) await this.openRecipe(recipe.name, () => this.upload(recipe));
+  }
+
+  /** Follows a recipe on the mesh that is open; asks where edits would be lost. */
+  private async openRecipe(name: string, follow: () => Promise<unknown>): Promise<void> {
+    const state = this.store.get("state"), edits = state?.history?.length ?? 0;
+    if (!state?.file) return this.toasts.show("Open the mesh first", `${name} is a recipe: it says what to do with a mesh.`, "bad");
+    if (edits > 0) {
+      const text = `The steps of ${name} take the place of your ${edits} ${edits === 1 ? "edit" : "edits"} of ${state.file.name}.`;
+      const answer = await question("Follow the recipe?", text, [{ id: "save", name: "Save mine first", primary: true }, { id: "follow", name: "Follow it" }]);
+      if (answer === null || (answer === "save" && !(await this.saveAs()))) return;
+    }
+    await follow();
+  }
+
+  /** Saves the recipe under a name, in the program's folder or among the downloads; whether that was done. */
+  private async saveAs(): Promise<boolean> {
+    const text = "The recipe is the list of your edits; with the mesh it gives the same quads again, here and by “reebquad replay”.";
+    const asked = await askName("Save the recipe as", text, `${this.baseName}.recipe.json`, [{ id: "folder", name: "Save in the folder", primary: true }, { id: "download", name: "Download" }]);
+    if (!asked) return false;
+    const name = /\.json$/.test(asked.name) ? asked.name : `${asked.name}.recipe.json`;
+    if (asked.choice === "download") return this.download("recipe", name);
+    return this.saveInFolder(name, false);
+  }
+
+  private async saveInFolder(name: string, replace: boolean): Promise<boolean> {
+    try {
+      await this.connection.request("save_recipe", { name, replace });
+      this.toasts.show(`${name} is saved`, "It is in the folder of the program.", "good");
+      return true;
+    } catch (error) {
+      const exists = error instanceof RequestError && /there is such a file already/.test(error.message);
+      if (!exists) return this.tell(error), false;
+      const answer = await question("Replace the file?", `${name} is there already.`, [{ id: "replace", name: "Replace it" }]);
+      return answer !== null && this.saveInFolder(name, true);
+    }
+  }
+
   openFile(name: string): Promise<unknown> {
     return this.ask("open_file", { name });
   }
 
-  async download(what: string, name: string): Promise<void> {
+  async download(what: string, name: string): Promise<boolean> {
     try {
       save(await this.connection.download(what), name);
       this.toasts.show(`${name} is in your downloads`, what === "recipe" ? "" : this.missingParts(), "good");
+      return true;
     } catch (error) {
       this.tell(error);
+      return false;
     }
   }
 
@@ -191,7 +252,9 @@ export class App implements Workbench {
   }
 
   private takeState(state: State): void {
+    this.tellWhatIsKept(this.store.get("state"), state);
     this.store.set("state", state);
+    this.thumbnails.follow(state);
     const name = state.file?.name ?? "";
     const hasQuads = Boolean(state.statistics);
     const shown = state.file ? `${state.file.component} ${name}` : "";
@@ -206,6 +269,13 @@ export class App implements Workbench {
     this.shown = shown;
     this.hadQuads = hasQuads;
     if (state.last?.warning) this.toasts.show("Not saved", state.last.warning, "bad");
+  }
+
+  /** Another mesh took the place of one with edits. */
+  private tellWhatIsKept(before: State | null, now: State): void {
+    const edits = before?.history?.length ?? 0;
+    if (!before?.file || !now.file || before.file.digest === now.file.digest || edits === 0) return;
+    this.toasts.show(`Your work on ${before.file.name} is kept`, `${edits} ${edits === 1 ? "edit" : "edits"}. “Open” brings it back.`);
   }
 
   private tellOfFile(file: FileFacts): void {
@@ -232,14 +302,14 @@ export class App implements Workbench {
     document.addEventListener("drop", (event) => {
       event.preventDefault();
       drops(false);
-      const file = event.dataTransfer?.files[0];
-      if (file) void this.upload(file);
+      void this.take([...(event.dataTransfer?.files ?? [])]);
     });
   }
 
   private shortcuts(openMesh: () => void): Shortcut[] {
     const studio: Shortcut[] = [
-      { keys: "Ctrl+o", about: "open a mesh", group: "Studio", run: openMesh },
+      { keys: "Ctrl+o", about: "open a mesh or a recipe", group: "Studio", run: openMesh },
+      { keys: "Ctrl+s", about: "save the recipe as", group: "Studio", run: () => void this.saveAs() },
       { keys: "Ctrl+z", about: "undo", group: "Studio", run: () => void this.ask("undo") },
       { keys: "Ctrl+Shift+z", about: "redo", group: "Studio", run: () => void this.ask("redo") },
       { keys: "Ctrl+y", about: "redo", group: "Studio", run: () => void this.ask("redo") },
@@ -264,32 +334,34 @@ export class App implements Workbench {
     const redo = button(icons.redo, "Redo (Ctrl+Shift+Z)", () => void this.ask("redo"), "redo");
     const exportQuads = h("button", { id: "export", title: "Export the quads (Ctrl+E)", onclick: () => void this.download(format.value, `${this.baseName}_quads.${format.value}`) }, icon(icons.export), "Export");
     const saveRecipe = h("button", { id: "recipe", title: "Save the edits as a recipe that reebquad replay repeats", onclick: () => void this.download("recipe", `${this.baseName}.recipe.json`) }, icon(icons.save), "Recipe");
+    const saveAs = h("button", { id: "save-as", title: "Save the recipe as … (Ctrl+S)", "aria-label": "Save the recipe as", onclick: () => void this.saveAs() }, "as …");
     const report = h("button", { id: "report", title: "An interactive report with all numbers, as one HTML file", onclick: () => void this.download("html", `${this.baseName}_report.html`) }, icon(icons.report), "Report");
     this.store.watch(["state"], () => {
       const state = this.store.get("state");
       undo.disabled = !state?.applied;
       redo.disabled = (state?.applied ?? 0) >= (state?.history?.length ?? 0);
       exportQuads.disabled = format.disabled = report.disabled = !state?.file?.components.some((part) => part.quads > 0);
-      saveRecipe.disabled = !state?.file;
+      saveRecipe.disabled = saveAs.disabled = !state?.file;
     });
     const top = h(
       "header", { className: "top" },
       h("img", { src: "/icon.svg", alt: "", className: "logo" }), h("span", { className: "brand" }, "reebquad ", h("em", {}, "studio")),
-      h("button", { id: "open", title: "Open a mesh (Ctrl+O)", onclick: openMesh }, icon(icons.open), "Open"),
+      h("button", { id: "open", title: "Open a mesh, earlier work or a recipe (Ctrl+O)", onclick: openMesh }, icon(icons.open), "Open"),
       undo, redo, h("span", { className: "spring" }), viewButtons, h("span", { className: "spring" }),
-      saveRecipe, report, h("span", { className: "joined" }, exportQuads, format),
+      h("span", { className: "joined" }, saveRecipe, saveAs), report, h("span", { className: "joined" }, exportQuads, format),
       button(icons.camera, "Save a picture", () => void this.screenshot(), "screenshot"), button(icons.theme, "Dark or light", toggleTheme, "theme"), help,
     );
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
     const side = h(
       "aside", { className: "side" },
       partsPanel(this.store, (component) => void this.ask("component", { component })),
-      panel("Design", designPanel(this.store, (edit) => void this.edit(edit))),
+      panel("Design", designPanel(this.store, (edit) => void this.edit(edit), (sentence) => this.toasts.show("That did not work", sentence, "bad"))),
       panel("Chart", chartPanel(this)),
       panel("Layers", layersPanel(this.store)),
       panel("Quality", qualityPanel(this.store, (bin) => {
         this.lightQuads(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
       })),
+      panel("Deviation", this.deviationHost),
       panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
       panel("Hints", this.hintsHost),
       panel("Findings", defectsPanel(
@@ -310,6 +382,10 @@ export class App implements Workbench {
 
 function button(paths: string, title: string, onclick?: () => void, id?: string): HTMLButtonElement {
   return h("button", { className: "ghost icon-button", title, "aria-label": title, onclick: onclick ?? null, id: id ?? "" }, icon(paths));
+}
+
+function isRecipe(file: File): boolean {
+  return /\.json$/i.test(file.name);
 }
 
 function capital(text: string): string {

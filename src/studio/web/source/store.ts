@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the parts of the page share, and how they learn that it changed.
-import type { State } from "./net/messages";
+import type { Deviation, State } from "./net/messages";
 import type { LayerId } from "./scene/layers";
 
 export interface Shared {
@@ -8,6 +8,8 @@ export interface Shared {
   layers: ReadonlySet<LayerId>;
   connected: boolean;
   busy: { stage: string; fraction: number } | null;
+  /** How far quads and surface are from each other, where that was measured. */
+  deviation: Deviation | null;
   /** The chart that is looked at, or -1. */
   chart: number;
   tool: string;
@@ -19,7 +21,7 @@ export type Key = keyof Shared;
 
 export class Store {
   private readonly values: Shared = {
-    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, chart: -1, tool: "select", up: [0, 1, 0],
+    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, deviation: null, chart: -1, tool: "select", up: [0, 1, 0],
   };
   private readonly listeners = new Map<Key, ((...unused: never[]) => void)[]>();
 

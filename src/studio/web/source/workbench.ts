@@ -27,6 +27,8 @@ export interface Workbench {
   dragEdit(edit: Edit, live: boolean): void;
   /** The pointer was let go where nothing is: what was dragged stays where it was last. */
   endDrag(): void;
+  /** What is dragged goes back to where it was. */
+  cancelDrag(): void;
   /** Looks at a place of the surface from outside. */
   flyTo(place: THREE.Vector3, distance?: number): void;
   /** Lets only the quads shine whose quality passes; null: all. */

@@ -196,7 +196,7 @@ export class ChartView implements ChartDisplay {
     if (t.kind === "disc") context.strokeRect(s.x(0), s.y(t.height), s.a * t.width, s.b * t.height);
     else this.drawTubeFrame(context, t, s, colour("--soft"));
     context.fillStyle = colour("--soft");
-    context.font = "11px system-ui, sans-serif";
+    context.font = "12px system-ui, sans-serif";
     context.textAlign = "center";
     const middle = this.canvas.clientWidth / 2, below = t.kind === "annulus" ? "lower contour: the left and right ends are joined" : "the other three sides follow";
     const fits = context.measureText(below).width < this.canvas.clientWidth - 8;

@@ -29,6 +29,8 @@ export interface PartFacts {
 
 /** The file, and the part of it that is worked on. */
 export interface FileFacts extends PartFacts {
+  /** Names the bytes of the file. */
+  digest: string;
   name: string;
   /** The number of the part that is worked on, from 1. */
   component: number;
@@ -80,6 +82,17 @@ export interface ShapeWarning {
   text: string;
 }
 
+/** What can be brought back. */
+export interface SavedSession {
+  name: string;
+  edits: number;
+  digest: string;
+  /** Seconds since 1970. */
+  saved: number;
+  /** A `data:` address, or nothing. */
+  picture?: string;
+}
+
 export interface State {
   event: "state";
   revision: number;
@@ -87,7 +100,7 @@ export interface State {
   last: { ok: boolean; text: string; milliseconds?: number; warning?: string } | null;
   last_session?: { name: string; edits: number };
   /** All that are kept, the newest first, and the files of those that cannot be read. */
-  sessions?: { name: string; edits: number; digest: string }[];
+  sessions?: SavedSession[];
   unreadable_sessions?: string[];
   history?: HistoryStep[];
   applied?: number;
@@ -108,17 +121,31 @@ export interface State {
   };
 }
 
+/** How far surface and quads are from each other, in units of the file; places are relative to its `origin`. */
+export interface Deviation {
+  diagonal: number;
+  of_surface: number;
+  of_quads: number;
+  worst: { place: Vector; distance: number; of: "surface" | "quads" }[];
+  corners: number;
+  lost_corners: Vector[];
+  sharp_length: number;
+  lost_sharp_length: number;
+}
+
 /** An edit that is worth while, and why. */
 export interface Hint {
   kind: string;
   reason: string;
   place: Vector;
   edit: Edit;
+  /** The edit in words. */
+  text: string;
 }
 
 export type ServerMessage =
   | State
-  | { event: "hello"; version: number }
+  | { event: "hello"; version: number; preferences: Record<string, unknown> }
   | { event: "progress"; stage: string; fraction: number }
   | { event: "trouble"; message: string }
   | { event: "no_layer"; layer: string }

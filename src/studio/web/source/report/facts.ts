@@ -41,7 +41,7 @@ export function stateOf(facts: Facts): State {
   const valenceSum = certificate.checks.find((c) => c.name === "valence_sum")?.expected ?? 0;
   const file: FileFacts = {
     name: facts.input.file.replace(/^.*\//, ""), points: facts.input.points, triangles: sum((c) => c.triangles), euler_characteristic: valenceSum / 4,
-    genus: sum((c) => c.genus), boundary_loops: 0, quads: statistics.quads, edits: 0, component: 1, components: [], mends: facts.mends.map((m) => m.text), refused: [], origin: [0, 0, 0], diagonal: 1, defects: [],
+    genus: sum((c) => c.genus), boundary_loops: 0, quads: statistics.quads, edits: 0, digest: "", component: 1, components: [], mends: facts.mends.map((m) => m.text), refused: [], origin: [0, 0, 0], diagonal: 1, defects: [],
   };
   return {
     event: "state", revision: 1, file, last: null, finished: true, statistics, certificate,

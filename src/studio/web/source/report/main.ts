@@ -19,9 +19,9 @@ import { stateOf, type Facts } from "./facts";
 import { certificatePanel, designPanel, editsPanel, stagesPanel, statisticsPanel, valencesPanel } from "./panels";
 import reportCss from "./report.css?inline";
 
-const onSurface: LayerId[] = ["surface", "field", "isolines", "charts", "textures"];
+const onSurface: LayerId[] = ["surface", "field", "isolines", "charts", "textures", "wireframe"];
 /** What must be in the file for a layer to be shown, where that has another name. */
-const needs: Partial<Record<LayerId, string>> = { isolines: "field", valences: "quads", quality: "quads", xray: "quads" };
+const needs: Partial<Record<LayerId, string>> = { isolines: "field", valences: "quads", quality: "quads", wireframe: "quads", xray: "quads" };
 
 class Report {
   readonly store = new Store();
@@ -112,7 +112,7 @@ class Report {
     const name = facts.input.file.replace(/^.*\//, "");
     const top = h(
       "header", { className: "top" }, h("span", { className: "brand" }, name, h("em", {}, ` by reebquad ${facts.version}`)), h("span", { className: "spring" }),
-      viewsBar(store, (view) => this.hasSurface || !views[view].layers.includes("surface")), h("span", { className: "spring" }),
+      viewsBar(store, (view) => views[view].layers.every((layer) => layer !== "deviation" && (this.hasSurface || !onSurface.includes(layer)))), h("span", { className: "spring" }),
       button(icons.fit, "See everything (H)", () => this.fit(true)),
       button(icons.camera, "Save a picture", () => void this.viewport.screenshot().then((picture) => save(picture, `${name}.png`))),
       button(icons.theme, "Dark or light", toggleTheme), button(icons.help, "Keys and mouse (?)", help),

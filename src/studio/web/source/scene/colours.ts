@@ -18,7 +18,9 @@ export function chartColour(chart: number): Rgb {
   return chart < 0 ? [0.6, 0.6, 0.6] : chartPalette[chart % chartPalette.length]!;
 }
 
-const qualityStops = ["#8e1230", "#d9472b", "#f6a04d", "#f4e48a", "#9ed48a", "#2f9e77"].map(hex);
+// Told apart without red and green: orange is bad, blue is good, and the lightness alone orders what is off.
+const qualityStops = ["#6e2503", "#cf5206", "#f59a48", "#fbdcb4", "#b4d0ea", "#4f8fcc"].map(hex);
+const deviationStops = ["#e9e7e0", "#f7cf7a", "#ee9440", "#bd4a2a", "#5b1a3e"].map(hex);
 const fieldStops = ["#2f63b5", "#7fb2dd", "#efe6d2", "#ee9a6b", "#b8322f"].map(hex);
 
 function along(stops: readonly Rgb[], t: number): Rgb {
@@ -31,6 +33,10 @@ function along(stops: readonly Rgb[], t: number): Rgb {
 /** The colour of a scaled Jacobian from -1 to 1: the interesting half of the range takes most of the colours. */
 export function qualityColour(scaledJacobian: number): Rgb {
   return scaledJacobian <= 0 ? qualityStops[0]! : along(qualityStops.slice(1), scaledJacobian ** 1.5);
+}
+/** From no distance to the end of the scale. */
+export function deviationColour(part: number): Rgb {
+  return along(deviationStops, part);
 }
 export function fieldColour(value: number): Rgb {
   return along(fieldStops, value);

@@ -59,6 +59,7 @@ export enum SurfaceColour {
   plain = 0,
   field = 1,
   charts = 2,
+  deviation = 3,
 }
 
 export function surfaceMaterial(): THREE.ShaderMaterial {
@@ -104,9 +105,15 @@ export function surfaceMaterial(): THREE.ShaderMaterial {
         float x = clamp(t, 0.0, 1.0) * 4.0;
         return x < 1.0 ? mix(a, b, x) : x < 2.0 ? mix(b, c, x - 1.0) : x < 3.0 ? mix(c, d, x - 2.0) : mix(d, e, x - 3.0);
       }
+      vec3 deviationColour(float t) {
+        vec3 a = vec3(0.914, 0.906, 0.878), b = vec3(0.969, 0.812, 0.478), c = vec3(0.933, 0.580, 0.251);
+        vec3 d = vec3(0.741, 0.290, 0.165), e = vec3(0.357, 0.102, 0.243);
+        float x = clamp(t, 0.0, 1.0) * 4.0;
+        return x < 1.0 ? mix(a, b, x) : x < 2.0 ? mix(b, c, x - 1.0) : x < 3.0 ? mix(c, d, x - 2.0) : mix(d, e, x - 3.0);
+      }
       void main() {
         float t = (vField - lowest) / max(highest - lowest, 1e-12);
-        vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? (vChart < 0.0 ? vec3(0.6) : palette[int(mod(vChart + 0.5, float(PALETTE)))]) : clay;
+        vec3 colour = mode == 1 ? fieldColour(t) : mode == 2 ? (vChart < 0.0 ? vec3(0.6) : palette[int(mod(vChart + 0.5, float(PALETTE)))]) : mode == 3 ? deviationColour(t) : clay;
         float line = 0.0;
         if (isolines > 0.0) {
           float s = t * isolines;

@@ -2,15 +2,15 @@
 // The quad mesh: faces, edges, and markers at the vertices whose valence is not regular.
 import * as THREE from "three";
 import { bytesOf, floats, indices, integers, type Frame } from "../net/frame";
-import { chartColour, qualityColour, valenceColour, type Rgb } from "./colours";
+import { chartColour, deviationColour, qualityColour, valenceColour, type Rgb } from "./colours";
 import { Lines, markers } from "./lines";
 import { markerMaterial, quadMaterial } from "./materials";
-import { vertexNormals } from "./surface";
+import { cornerNormals, type Shading } from "./normals";
 
 /** Quads that shine are seen through the others if they are fewer than one in so many. */
 const fewOf = 10;
 
-export type QuadColour = "plain" | "quality" | "charts";
+export type QuadColour = "plain" | "quality" | "charts" | "deviation";
 
 export class Quads {
   readonly group = new THREE.Group();
@@ -26,6 +26,10 @@ export class Quads {
   private readonly markerMaterial = markerMaterial();
   private lit: ((quality: number) => boolean) | null = null;
   private colour: QuadColour = "plain";
+  private shading: Shading = "crease";
+  /** Of each quad, where it was measured, and the end of the scale. */
+  private deviation: Float32Array = new Float32Array();
+  private deviationTop = 1;
   private showsFaces = false;
   private showsValences = false;
   private isPainted = false;
@@ -82,6 +86,22 @@ export class Quads {
     this.colour = colour;
   }
 
+  /** Distances of the quads to the surface; none if they are not known any more. */
+  setDeviation(distances: Float32Array): void {
+    this.deviation = distances;
+    this.isPainted = false;
+  }
+  scaleDeviation(top: number): void {
+    this.deviationTop = top;
+    this.isPainted = false;
+  }
+
+  setShading(shading: Shading, frame: Frame | null): void {
+    if (this.shading === shading) return;
+    this.shading = shading;
+    this.fresh ??= frame;
+  }
+
   /** Lets only the quads shine whose quality passes; null: all. */
   light(lit: ((quality: number) => boolean) | null): void {
     this.lit = lit;
@@ -118,16 +138,11 @@ export class Quads {
     const number = this.corners.length / 4;
     const triangles = new Uint32Array(6 * number);
     for (let q = 0; q < number; ++q) [0, 1, 2, 0, 2, 3].forEach((c, i) => (triangles[6 * q + i] = this.corners[4 * q + c]!));
-    const normals = vertexNormals(this.positions, triangles);
-    const positions = new Float32Array(18 * number), spreadNormals = new Float32Array(18 * number);
-    for (let i = 0; i < triangles.length; ++i)
-      for (let k = 0; k < 3; ++k) {
-        positions[3 * i + k] = this.positions[3 * triangles[i]! + k]!;
-        spreadNormals[3 * i + k] = normals[3 * triangles[i]! + k]!;
-      }
+    const normals = cornerNormals(this.positions, triangles, this.shading), positions = new Float32Array(18 * number);
+    for (let i = 0; i < triangles.length; ++i) for (let k = 0; k < 3; ++k) positions[3 * i + k] = this.positions[3 * triangles[i]! + k]!;
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(spreadNormals, 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
     geometry.setAttribute("colour", new THREE.BufferAttribute(new Uint8Array(18 * number), 3, true));
     this.faces.geometry.dispose();
     this.faces.geometry = geometry;
@@ -165,6 +180,7 @@ export class Quads {
     const quality = this.quality[q]!;
     if (this.lit) return this.lit(quality) ? [1, 0.62, 0.15] : [0.45, 0.46, 0.48];
     if (this.colour === "quality" && !Number.isNaN(quality)) return qualityColour(quality); // a fan's triangles have none
+    if (this.colour === "deviation" && this.deviation.length === this.quality.length) return deviationColour(this.deviation[q]! / this.deviationTop);
     if (this.colour === "charts") return chartColour(this.charts[q] ?? -1);
     return this.plain;
   }

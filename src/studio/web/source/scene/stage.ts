@@ -7,6 +7,7 @@ import type { LayerId } from "./layers";
 import { Lines, markers, polylinePairs } from "./lines";
 import { markerMaterial, setGround, Shape, SurfaceColour } from "./materials";
 import { Others } from "./others";
+import type { Shading } from "./normals";
 import { edgePairs, Quads } from "./quads";
 import { Surface } from "./surface";
 import type { Viewport } from "./viewport";
@@ -34,6 +35,9 @@ export class Stage {
   readonly others = new Others();
   readonly contourLines = new Lines(contourWidth, 0x16181d);
   readonly textureLines = new Lines(1.4, 0x16181d, { opacity: 0.85 });
+  /** The quads' edges on the surface, and sharp edges that none of them follows. */
+  readonly wireframe = new Lines(1.2, 0x23262d, { opacity: 0.85 });
+  readonly lostEdges = new Lines(4, 0xd1470a);
   readonly chosenContour = new Lines(5, 0xffb454, { hidden: true });
   readonly reebLines = new Lines(4.5, 0x2f7de0, { hidden: true });
   critical: CriticalPoint[] = [];
@@ -43,6 +47,8 @@ export class Stage {
   private reebNodes: THREE.Points | null = null;
   /** The textures' edges, if they are newer than what is drawn. */
   private textures: Float32Array | null = null;
+  private quadFrame: Frame | null = null;
+  private wireframeIsStale = false;
   private readonly criticalMaterial = markerMaterial();
   private readonly nodeMaterial = markerMaterial();
 
@@ -54,6 +60,8 @@ export class Stage {
     this.nodeMaterial.uniforms.ratio!.value = ratio;
     this.nodeMaterial.depthTest = false;
     this.textureLines.object.renderOrder = 1;
+    this.wireframe.object.renderOrder = 1;
+    this.lostEdges.object.renderOrder = 3;
     this.contourLines.object.renderOrder = 2;
     this.reebLines.object.renderOrder = 7;
     this.chosenContour.object.renderOrder = 6;
@@ -62,7 +70,7 @@ export class Stage {
       this.quads.update();
     });
     viewport.scene.add(
-      this.others.group, this.surface.group, this.quads.group, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.others.group, this.surface.group, this.quads.group, this.wireframe.object, this.lostEdges.object, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 
@@ -76,14 +84,18 @@ export class Stage {
     else if (frame.layer === "critical") this.setCritical(frame);
     else if (frame.layer === "reeb") this.setReeb(frame);
     else if (frame.layer === "textures") this.textures = edgePairs(floats(frame, "position"), indices(frame, "quad"));
-    else if (frame.layer === "quads") this.quads.set(frame);
+    else if (frame.layer === "quads") this.takeQuads(frame);
     else if (frame.layer === "others") this.others.set(frame);
     this.show(this.shown);
   }
 
   remove(layer: string): void {
     if (layer === "cuts") this.surface.clearDesign();
-    if (layer === "quads") this.quads.clear();
+    if (layer === "quads") {
+      this.quads.clear();
+      this.wireframe.set(new Float32Array());
+      this.quadFrame = null;
+    }
     if (layer === "others") this.others.clear();
     if (layer === "textures") this.textures = new Float32Array();
     if (layer === "contours") this.clearContours();
@@ -98,14 +110,14 @@ export class Stage {
   show(shown: ReadonlySet<LayerId>): void {
     this.shown = shown;
     const on = (layer: LayerId): boolean => shown.has(layer);
-    const colour = on("charts") ? SurfaceColour.charts : on("field") ? SurfaceColour.field : SurfaceColour.plain;
+    const colour = on("deviation") ? SurfaceColour.deviation : on("charts") ? SurfaceColour.charts : on("field") ? SurfaceColour.field : SurfaceColour.plain;
     this.surface.group.visible = !this.surface.isEmpty && (on("surface") || (this.quads.isEmpty && on("quads")));
     this.surface.setColour(colour, on("isolines") ? 40 : 0);
     const seeThrough = on("xray") || on("reeb"), isDark = document.documentElement.dataset.theme === "dark";
     setGround(isDark);
     this.surface.setXray(seeThrough);
     this.quads.setXray(seeThrough, isDark);
-    this.quads.setColour(on("quality") ? "quality" : on("charts") ? "charts" : "plain");
+    this.quads.setColour(on("quality") ? "quality" : on("deviation") ? "deviation" : on("charts") ? "charts" : "plain");
     this.quads.show(on("quads"), on("valences"));
     this.contourLines.show(on("contours"));
     this.contourLines.setXray(seeThrough, isDark);
@@ -116,11 +128,43 @@ export class Stage {
     this.textureLines.show(on("textures"));
     this.textureLines.setXray(seeThrough, isDark);
     this.textureLines.material.opacity = seeThrough ? 0.5 : 0.85;
+    const edges = on("wireframe") && !on("quads");
+    if (edges && this.wireframeIsStale && !this.quads.isEmpty) {
+      this.wireframe.set(this.surface.drape(edgePairs(this.quads.positions, this.quads.corners)));
+      this.wireframeIsStale = false;
+    }
+    this.wireframe.show(edges);
+    this.wireframe.setXray(seeThrough, isDark);
+    this.lostEdges.show(on("deviation"));
     this.reebLines.show(on("reeb"));
     if (this.criticalPoints) this.criticalPoints.visible = on("critical");
     this.criticalMaterial.depthTest = !seeThrough;
     if (this.reebNodes) this.reebNodes.visible = on("reeb");
     this.viewport.invalidate();
+  }
+
+  /** Distances between surface and quads, and sharp edges that are lost, as pairs of points; nothing is known with empty ones. */
+  setDeviation(ofSurface: Float32Array, ofQuads: Float32Array, lostEdges: Float32Array): void {
+    this.surface.setDeviation(ofSurface);
+    this.quads.setDeviation(ofQuads);
+    this.lostEdges.set(lostEdges);
+    this.show(this.shown);
+  }
+  /** The distance that has the last colour. */
+  scaleDeviation(top: number): void {
+    this.surface.scaleDeviation(top);
+    this.quads.scaleDeviation(top);
+  }
+  setShading(shading: Shading): void {
+    this.surface.setShading(shading);
+    this.quads.setShading(shading, this.quadFrame);
+    this.viewport.invalidate();
+  }
+
+  private takeQuads(frame: Frame): void {
+    this.quadFrame = frame;
+    this.quads.set(frame);
+    this.wireframeIsStale = true;
   }
 
   setHovered(chart: number): void {

@@ -5,6 +5,7 @@ import * as THREE from "three";
 import { MeshBVH, acceleratedRaycast } from "three-mesh-bvh";
 import { floats, indices, integers, type Frame } from "../net/frame";
 import { SurfaceColour, surfaceMaterial } from "./materials";
+import { cornerNormals, type Shading } from "./normals";
 
 export interface Hit {
   point: THREE.Vector3;
@@ -37,11 +38,17 @@ export class Surface {
   private chartOfFace: Int32Array = new Int32Array();
   private readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
   private readonly pieces = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+  /** Of each corner of each face. */
   private normals = new Float32Array();
+  private shading: Shading = "crease";
+  /** The distance of each vertex to the quads, where it was measured, and the end of its scale. */
+  private deviation: Float32Array = new Float32Array();
+  private deviationTop = 1;
   private cuts = noCuts;
   private piecesOf = new Map<number, number[]>();
   private stale = false;
   private picking: THREE.Mesh | null = null;
+  private smoothNormals: Float32Array | null = null;
 
   constructor() {
     this.mesh.frustumCulled = this.pieces.frustumCulled = false;
@@ -59,11 +66,12 @@ export class Surface {
   setSurface(frame: Frame): void {
     this.positions = floats(frame, "position") as Float32Array<ArrayBuffer>;
     this.triangles = indices(frame, "triangle") as Uint32Array<ArrayBuffer>;
-    this.picking = null;
-    this.normals = vertexNormals(this.positions, this.triangles);
+    this.picking = this.smoothNormals = null;
+    this.normals = cornerNormals(this.positions, this.triangles, this.shading);
+    this.deviation = new Float32Array();
     const geometry = new THREE.BufferGeometry(), corners = this.triangles.length;
     geometry.setAttribute("position", new THREE.BufferAttribute(spread(this.positions, this.triangles, 3), 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(spread(this.normals, this.triangles, 3), 3));
+    geometry.setAttribute("normal", new THREE.BufferAttribute(this.normals, 3));
     geometry.setAttribute("field", new THREE.BufferAttribute(new Float32Array(corners), 1));
     geometry.setAttribute("chart", new THREE.BufferAttribute(new Float32Array(corners), 1));
     this.mesh.geometry.dispose();
@@ -104,8 +112,14 @@ export class Surface {
     const ofFace = this.chartOfFace.length === faces ? new Float32Array(this.chartOfFace) : new Float32Array(faces).fill(-1);
     for (const f of this.cuts.base) ofFace[f] = hidden;
     assign(charts, (corner) => ofFace[(corner / 3) | 0]!);
-    if (this.hasField) {
-      const { values, triangles } = this;
+    const { triangles } = this;
+    if (this.showsDeviation) {
+      const { deviation } = this;
+      assign(this.mesh.geometry.getAttribute("field") as THREE.BufferAttribute, (corner) => deviation[triangles[corner]!]!);
+      this.material.uniforms.lowest!.value = 0;
+      this.material.uniforms.highest!.value = this.deviationTop;
+    } else if (this.hasField) {
+      const { values } = this;
       assign(this.mesh.geometry.getAttribute("field") as THREE.BufferAttribute, (corner) => values[triangles[corner]!]!);
       const [low, high] = rangeOf(this.values, this.cuts.value);
       this.material.uniforms.lowest!.value = low;
@@ -115,8 +129,34 @@ export class Surface {
   }
 
   setColour(mode: SurfaceColour, isolines: number): void {
-    this.material.uniforms.mode!.value = this.hasField ? mode : SurfaceColour.plain;
-    this.material.uniforms.isolines!.value = this.hasField ? isolines : 0;
+    const { mode: before, isolines: lines } = this.material.uniforms, hasColour = mode === SurfaceColour.deviation ? this.deviation.length > 0 : this.hasField;
+    const now = hasColour ? mode : SurfaceColour.plain;
+    if ((before!.value === SurfaceColour.deviation) !== (now === SurfaceColour.deviation)) this.stale = true;
+    before!.value = now;
+    lines!.value = this.hasField && now !== SurfaceColour.deviation ? isolines : 0;
+  }
+
+  /** Distances of the vertices to the quads; none if they are not known any more. */
+  setDeviation(distances: Float32Array): void {
+    this.deviation = distances.length === this.positions.length / 3 ? distances : new Float32Array();
+    this.stale = true;
+  }
+  scaleDeviation(top: number): void {
+    this.deviationTop = top;
+    this.stale = true;
+  }
+
+  setShading(shading: Shading): void {
+    if (this.shading === shading) return;
+    this.shading = shading;
+    if (this.isEmpty) return;
+    this.normals = cornerNormals(this.positions, this.triangles, shading);
+    this.mesh.geometry.setAttribute("normal", new THREE.BufferAttribute(this.normals, 3));
+    this.stale = true;
+  }
+
+  private get showsDeviation(): boolean {
+    return this.material.uniforms.mode!.value === SurfaceColour.deviation;
   }
 
   setXray(on: boolean): void {
@@ -216,7 +256,8 @@ export class Surface {
     if (!found) return null;
     const corners = Array.from(this.triangles.subarray(3 * found.faceIndex, 3 * found.faceIndex + 3));
     const [nearest] = corners.sort((a, b) => this.vertex(a).distanceToSquared(point) - this.vertex(b).distanceToSquared(point)) as [number];
-    return { point: this.vertex(nearest), normal: new THREE.Vector3().fromArray(this.normals, 3 * nearest) };
+    this.smoothNormals ??= vertexNormals(this.positions, this.triangles);
+    return { point: this.vertex(nearest), normal: new THREE.Vector3().fromArray(this.smoothNormals, 3 * nearest) };
   }
 
   /** The search tree takes a while on large surfaces: called when there is time. */
@@ -242,11 +283,12 @@ export class Surface {
     const fields = new Float32Array(triangle.length), charts = new Float32Array(triangle.length), normal = new THREE.Vector3();
     triangle.forEach((v, corner) => {
       const piece = Math.floor(corner / 3), point = this.vertex(v);
-      if (v < vertices) normal.fromArray(this.normals, 3 * v);
+      const own = v < vertices ? this.cornerOf(base[piece]!, v) : -1;
+      if (own >= 0) normal.fromArray(this.normals, 3 * own);
       else this.normalIn(base[piece]!, point, normal);
       point.toArray(positions, 3 * corner);
       normal.toArray(normals, 3 * corner);
-      fields[corner] = (v < vertices ? this.values[v] : value[v - vertices]) ?? 0;
+      fields[corner] = (this.showsDeviation ? this.deviationIn(base[piece]!, point) : v < vertices ? this.values[v] : value[v - vertices]) ?? 0;
       charts[corner] = chart[piece]!;
     });
     const geometry = new THREE.BufferGeometry();
@@ -260,11 +302,26 @@ export class Surface {
   }
 
   private normalIn(baseFace: number, point: THREE.Vector3, normal: THREE.Vector3): THREE.Vector3 {
-    const [a, b, c] = [0, 1, 2].map((k) => this.triangles[3 * baseFace + k]!) as [number, number, number];
-    const at = THREE.Triangle.getBarycoord(point, this.vertex(a), this.vertex(b), this.vertex(c), new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
+    const at = this.weightsIn(baseFace, point);
     normal.set(0, 0, 0);
-    [a, b, c].forEach((v, k) => normal.addScaledVector(new THREE.Vector3().fromArray(this.normals, 3 * v), at.getComponent(k)));
+    for (let k = 0; k < 3; ++k) normal.addScaledVector(new THREE.Vector3().fromArray(this.normals, 3 * (3 * baseFace + k)), at.getComponent(k));
     return normal;
+  }
+
+  private deviationIn(baseFace: number, point: THREE.Vector3): number {
+    const at = this.weightsIn(baseFace, point);
+    return [0, 1, 2].reduce((sum, k) => sum + at.getComponent(k) * (this.deviation[this.triangles[3 * baseFace + k]!] ?? 0), 0);
+  }
+
+  private weightsIn(baseFace: number, point: THREE.Vector3): THREE.Vector3 {
+    const [a, b, c] = [0, 1, 2].map((k) => this.vertex(this.triangles[3 * baseFace + k]!)) as [THREE.Vector3, THREE.Vector3, THREE.Vector3];
+    return THREE.Triangle.getBarycoord(point, a, b, c, new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
+  }
+
+  /** The corner of a face at one of its vertices, or -1. */
+  private cornerOf(face: number, vertex: number): number {
+    for (let c = 3 * face; c < 3 * face + 3; ++c) if (this.triangles[c] === vertex) return c;
+    return -1;
   }
 
   /** The chart of a face at one of its points; where contours cross the face, that of the piece there. */

@@ -153,6 +153,16 @@ export class Viewport {
     });
   }
 
+  /** A small picture as the text of a `data:` address. */
+  thumbnail(width = 208, height = 130): string {
+    this.render();
+    const canvas = document.createElement("canvas"), { width: w, height: h } = this.canvas;
+    [canvas.width, canvas.height] = [width, height];
+    const scale = Math.min(w / width, h / height); // the middle of the picture
+    canvas.getContext("2d")?.drawImage(this.canvas, (w - scale * width) / 2, (h - scale * height) / 2, scale * width, scale * height, 0, 0, width, height);
+    return canvas.toDataURL("image/webp", 0.8);
+  }
+
   /** Two fingers that move sideways on a touchpad, or any way with Shift, move what is seen; other turns of a wheel zoom. */
   private slide(event: WheelEvent): void {
     if (event.ctrlKey || (!event.shiftKey && Math.abs(event.deltaX) < 2 * Math.abs(event.deltaY)) || !this.controls.enabled) return;

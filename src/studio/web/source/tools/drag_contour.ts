@@ -41,6 +41,10 @@ export class DragContourTool implements Tool {
     this.grabbed = null;
   }
 
+  abandon(): void {
+    this.grabbed = null;
+  }
+
   private send(event: PointerEvent, live: boolean): void {
     const hit = pick(this.app, event, "surface");
     if (!this.grabbed) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits that follow the pointer: while the program does one, the next is on its way; all of one drag become one step of the history.
-import type { Connection } from "../net/connection";
+// Edits that follow the pointer: while the program does one, the next is on its way; all of one drag become one step of the history. A place
+// that is refused is told while the button is down; let go there, or with Escape, everything is as it was before the drag.
+import { RequestError, type Connection } from "../net/connection";
 import type { Edit } from "../net/messages";
 
 const mostOnWay = 2;
@@ -12,7 +13,10 @@ export class DragEdits {
   private next: { edit: Edit; live: boolean } | null = null;
   private last: Edit | null = null;
 
-  constructor(private readonly connection: Connection, private readonly tell: (error: unknown) => void) {}
+  /** `refused` is called while dragging: with the reason where the place is refused, with null where it is not. */
+  constructor(
+    private readonly connection: Connection, private readonly tell: (error: unknown) => void, private readonly refused: (reason: string | null) => void,
+  ) {}
 
   /** The last edit of a drag is not `live`. */
   send(edit: Edit, live: boolean): void {
@@ -22,7 +26,7 @@ export class DragEdits {
     }
     this.last = edit;
     this.next = { edit, live };
-    if (!live) this.open = false;
+    if (!live) this.close();
     this.flush();
   }
 
@@ -31,15 +35,33 @@ export class DragEdits {
     if (this.open && this.last) this.send(this.last, false);
   }
 
+  /** Takes back all that the drag did. */
+  cancel(): void {
+    if (!this.open) return;
+    this.close();
+    this.next = null;
+    this.connection.request("cancel_drag", { drag: this.drag }).catch(this.tell);
+  }
+
+  private close(): void {
+    this.open = false;
+    this.refused(null);
+  }
+
   private flush(): void {
     if (!this.next || (this.next.live && this.onWay >= mostOnWay)) return;
-    const { edit, live } = this.next;
+    const { edit, live } = this.next, { drag } = this;
     this.next = null;
     ++this.onWay;
+    const tellRefusal = (reason: string | null): void => {
+      if (live && this.open && drag === this.drag) this.refused(reason);
+    };
     this.connection
-      .request("edit", { edit, live, drag: this.drag })
+      .request("edit", { edit, live, drag })
+      .then(() => tellRefusal(null))
       .catch((error: unknown) => {
         if (!live) this.tell(error);
+        else if (error instanceof RequestError && !error.failure.cancelled) tellRefusal(error.message);
       })
       .finally(() => {
         --this.onWay;

@@ -35,8 +35,8 @@ const here: Step = { target: "surface", hint: "Click where the new contour is to
 
 export const guides: Guide[] = [
   {
-    id: "subdivide", name: "Subdivide", key: "s", icon: icons.subdivide,
-    variants: [{ name: "Subdivide", about: "Draws a level line of the chart as a new contour: its quads will follow it.", steps: [here], make: ([at]) => ({ edit: "subdivide_chart", at }) }],
+    id: "subdivide", name: "Add contour", key: "s", icon: icons.subdivide,
+    variants: [{ name: "Add contour", about: "Draws a level line of the chart as a new contour: its quads will follow it.", steps: [here], make: ([at]) => ({ edit: "subdivide_chart", at }) }],
   },
   {
     id: "contour", name: "Contours", key: "c", icon: icons.remove,
@@ -70,7 +70,7 @@ export const guides: Guide[] = [
         make: ([at, ...points]) => ({ edit: "split_saddle", at, kind: "half", points }),
       },
       { name: "Quarters", about: "One vertex of valence 8 becomes four of valence 5.", steps: [{ target: "saddle", hint: "Click the saddle to split into four." }], make: ([at]) => ({ edit: "split_saddle", at, kind: "quarter" }) },
-      { name: "Make regular", about: "Gives the disc between half-saddles its corners there: they become regular vertices.", steps: [{ target: "surface", hint: "Click the disc between the half-saddles." }], make: ([at]) => ({ edit: "pin_corners", at }) },
+      { name: "Make regular", about: "Gives the cap between half-saddles its corners there: they become regular vertices.", steps: [{ target: "surface", hint: "Click the cap between the half-saddles." }], make: ([at]) => ({ edit: "pin_corners", at }) },
     ],
   },
   {

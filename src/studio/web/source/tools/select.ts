@@ -17,7 +17,7 @@ export class SelectTool implements Tool {
 
   hint(): string {
     if (this.part > 0) return `Click to work on part ${this.part}.`;
-    return this.app.store.get("state")?.statistics ? "Click a chart to choose it. Double click to turn around a point." : "Press “Suggest a design” to begin.";
+    return this.app.store.get("state")?.statistics ? "Click a chart to choose it. Double click to turn around a point." : "Press “Suggest a design” to begin, or place extrema by hand.";
   }
 
   hover(event: PointerEvent): void {

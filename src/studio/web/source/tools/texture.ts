@@ -22,8 +22,8 @@ const groups: { name: string; operators: Operator[] }[] = [
   {
     name: "Vertices",
     operators: [
-      { id: "drag", name: "Drag", about: "Drag a vertex: those within the brush follow, and its neighbours relax.", targets: [] },
-      { id: "relax", name: "Relax", about: "Click: the vertices within the brush relax.", targets: ["corner"] },
+      { id: "drag", name: "Drag", about: "Drag a vertex: those within the brush follow, and its neighbours are evened out.", targets: [] },
+      { id: "relax", name: "Smooth", about: "Click: the vertices within the brush are evened out.", targets: ["corner"] },
       { id: "anchor", name: "Anchor", about: "Click a vertex: it stays where it is while others move. Click it again to let it go.", targets: ["corner"] },
       { id: "snap", name: "Snap", about: "Click a vertex: it goes to the nearest sharp edge.", targets: ["corner"] },
     ],
@@ -141,6 +141,11 @@ export class TextureTool implements Tool {
     else this.take((kind) => t.placeNear(kind, hit.point));
     this.refresh();
     this.app.tools.tellHint();
+  }
+
+  abandon(): void {
+    this.grabbed = null;
+    this.forget();
   }
 
   private get texture(): Texture | null {
@@ -270,14 +275,14 @@ export class TextureTool implements Tool {
         "div", { className: "tool-box texture-box" }, h("strong", {}, "Texture"),
         ...groups.map((g) => h("div", { className: "row", role: "radiogroup", "aria-label": g.name }, h("span", { className: "note" }, g.name), h("div", { className: "buttons" }, ...g.operators.map(button)))),
         brushed && slider("Brush", "brush", this.brush, [0, 8, 0.5], (value) => (this.brush = value)),
-        brushed && slider("Relax", "relax-steps", this.steps, [0, 20, 1], (value) => (this.steps = value)),
+        brushed && slider("Smooth", "relax-steps", this.steps, [0, 20, 1], (value) => (this.steps = value)),
         this.operator.hasFraction && slider("Where", "fraction", this.fraction, [0.1, 0.9, 0.05], (value) => (this.fraction = value)),
         h("p", { className: "note" }, this.operator.about),
         h(
           "div", { className: "row" }, h("span", { className: "note" }, "Chart"), h("div", { className: "buttons" },
-          immediate("Subdivide", "subdivide", (at) => ({ edit: "edit_texture", operator: "subdivide", points: [at] })),
+          immediate("Refine", "subdivide", (at) => ({ edit: "edit_texture", operator: "subdivide", points: [at] })),
           immediate("Coarsen", "coarsen", (at) => ({ edit: "edit_texture", operator: "coarsen", points: [at] })),
-          immediate("Relax", "relax_all", (at) => ({ edit: "relax_texture", at, anchors: this.anchorPoints() })),
+          immediate("Smooth all", "relax_all", (at) => ({ edit: "relax_texture", at, anchors: this.anchorPoints() })),
           immediate("Fit", "fit", (at) => ({ edit: "fit_texture", at })),
           immediate("Regular", "reset", (at) => ({ edit: "reset_texture", at })),
         )),

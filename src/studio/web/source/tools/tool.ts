@@ -22,6 +22,8 @@ export interface Tool {
   press?(event: PointerEvent): boolean;
   drag?(event: PointerEvent): void;
   release?(event: PointerEvent): void;
+  /** The drag was taken back: nothing is held any more. */
+  abandon?(): void;
   /** A key while the tool is active; true if it was meant for the tool. */
   key_?(event: KeyboardEvent): boolean;
   /** The shown data changed. */
@@ -34,4 +36,6 @@ export interface Tools {
   setBox(box: HTMLElement | null): void;
   /** Says the active tool's hint anew. */
   tellHint(bad?: boolean): void;
+  /** While dragging: why the place under the pointer is refused, or null where it is not. */
+  tellRefusal(reason: string | null): void;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rail of tools, the hint line, and who gets the pointer.
+import type * as THREE from "three";
+import { PlaceMark } from "../scene/place_mark";
 import type { Workbench } from "../workbench";
 import { h, icon } from "../ui/dom";
 import type { KeyNotes, Shortcut } from "../ui/keyboard";
@@ -12,10 +14,14 @@ export class ToolBox implements Tools {
   private active: Tool | null = null;
   private readonly hintLine = h("div", { className: "hint-line", role: "status" });
   private readonly boxHost = h("div", {});
-  private pressed: { x: number; y: number; claimed: boolean } | null = null;
+  private pressed: { x: number; y: number; claimed: boolean; abandoned?: boolean } | null = null;
+  private readonly refusedMark: PlaceMark;
+  /** Where the pointer is on the surface while it drags. */
+  private pointed: THREE.Vector3 | null = null;
 
   constructor(private readonly app: Workbench, overlay: HTMLElement) {
     overlay.append(this.hintLine, this.boxHost);
+    this.refusedMark = new PlaceMark(app.viewport, [0.9, 0.22, 0.2]);
     const canvas = app.viewport.canvas;
     // Before the camera's own listeners, so that a tool can claim the drag.
     canvas.addEventListener("pointerdown", (e) => this.down(e), true);
@@ -23,6 +29,10 @@ export class ToolBox implements Tools {
     window.addEventListener("pointerup", (e) => this.up(e));
     window.addEventListener("keydown", (e) => {
       if ((e.target as HTMLElement).matches("input, select, textarea")) return;
+      if (e.key === "Escape" && this.pressed?.claimed) {
+        e.stopImmediatePropagation();
+        return this.abandon();
+      }
       if (this.active?.key_?.(e)) {
         e.preventDefault();
         e.stopImmediatePropagation();
@@ -59,16 +69,18 @@ export class ToolBox implements Tools {
     this.tellHint();
   }
 
-  /** All tools but one change a design, so that there must be one. */
+  /** Most tools change a design, so that there must be one; but extrema are what a design begins with. */
   private isPossible(id: string): boolean {
-    return id === "select" || Boolean(this.app.store.get("state")?.facts?.charts.length);
+    return id === "select" || (id === "extremum" && Boolean(this.app.store.get("state")?.file)) || Boolean(this.app.store.get("state")?.facts?.charts.length);
   }
 
   private buttonOf(id: string): HTMLButtonElement | null {
     return document.querySelector(`[data-tool="${id}"]`);
   }
 
+  /** Takes back a drag; without one, stops the tool. */
   escape(): void {
+    if (this.pressed?.claimed) return this.abandon();
     this.choose("select");
     this.app.store.set("chart", -1);
   }
@@ -88,10 +100,26 @@ export class ToolBox implements Tools {
   }
 
   tellHint(bad = false): void {
+    if (!bad) this.app.viewport.canvas.classList.remove("refused");
     this.hintLine.classList.toggle("bad", bad);
     const hint = this.app.store.get("state")?.file ? (this.active?.hint() ?? "") : "";
     this.hintLine.textContent = hint;
     this.hintLine.hidden = hint === "";
+  }
+
+  tellRefusal(reason: string | null): void {
+    this.app.viewport.canvas.classList.toggle("refused", reason !== null);
+    this.refusedMark.show(reason === null ? null : this.pointed);
+    if (reason === null) return this.tellHint();
+    this.tellHint(true);
+    this.hintLine.textContent = `This place is refused: ${reason}. Let go here, or press Escape, and all is as before.`;
+  }
+
+  private abandon(): void {
+    this.pressed = { ...this.pressed!, claimed: false, abandoned: true };
+    this.app.cancelDrag();
+    this.active?.abandon?.();
+    this.tellHint();
   }
 
   private down(event: PointerEvent): void {
@@ -102,7 +130,10 @@ export class ToolBox implements Tools {
   }
 
   private move(event: PointerEvent): void {
-    if (this.pressed?.claimed) this.active?.drag?.(event);
+    if (this.pressed?.claimed) {
+      this.pointed = this.app.stage.surface.pick(this.app.viewport.ray(event))?.point ?? null;
+      this.active?.drag?.(event);
+    }
     else if (!this.pressed && event.target === this.app.viewport.canvas) this.active?.hover?.(event);
   }
 
@@ -110,7 +141,7 @@ export class ToolBox implements Tools {
     const pressed = this.pressed;
     this.pressed = null;
     this.app.viewport.controls.enabled = true;
-    if (!pressed || event.button !== 0) return;
+    if (!pressed || pressed.abandoned || event.button !== 0) return;
     if (pressed.claimed) this.active?.release?.(event);
     else if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < clickTolerance) this.active?.click?.(event);
   }

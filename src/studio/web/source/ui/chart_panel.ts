@@ -3,6 +3,8 @@ import type { Workbench } from "../workbench";
 import type { ChartFacts, Edit } from "../net/messages";
 import { surfacePoint } from "../tools/pick";
 import { h, replace } from "./dom";
+import { numberField } from "./number_field";
+import { chartName } from "./words";
 
 /** What can be done with the chart that is chosen. */
 export function chartPanel(app: Workbench): HTMLElement {
@@ -23,19 +25,20 @@ function controls(app: Workbench, chart: ChartFacts): HTMLElement[] {
     void app.edit(make(surfacePoint(app, point)));
   };
   const number = (label: string, id: string, value: number, free: boolean, min: number, step: number, make: (value: number, at: object) => Edit): HTMLElement => {
-    const box = h("input", { type: "number", value: String(value), min: String(min), step: String(step), id });
+    const set = (to: number): void => send((at) => make(to, at));
+    const { element: box } = numberField({ id, label, min, max: 100000, step, value }, set, (sentence) => app.toasts.show("That did not work", sentence, "bad"));
     const slider = h("input", { type: "range", min: String(min), max: String(Math.max(4 * value, 4 * min, 16)), step: String(step), value: String(value), "aria-label": `${label}, coarse` });
     slider.oninput = () => (box.value = slider.value);
-    slider.onchange = box.onchange = (event) => send((at) => make((event.target as HTMLInputElement).valueAsNumber, at));
+    slider.onchange = () => set(slider.valueAsNumber);
     const release = h("button", { className: "small ghost", disabled: free, title: "Let the program choose", onclick: () => send((at) => make(0, at)) }, "free");
     return h("label", { className: "field" }, h("span", { className: "label" }, label), box, slider, release);
   };
   const tube = chart.kind === "annulus";
-  const title = h("p", {}, h("strong", {}, `${tube ? "Tube" : "Cap"} ${chart.id}`), `: ${chart.columns} × ${chart.rows} quads${chart.locked ? ", locked" : ""}`);
+  const title = h("p", {}, h("strong", {}, chartName(chart)), `: ${chart.columns} × ${chart.rows} quads${chart.locked ? ", locked" : ""}`);
   const actions = h(
     "div", { className: "chart-actions" },
     h("button", { className: "small", id: "lock", onclick: () => send((at) => ({ edit: "lock_chart", at, locked: !chart.locked })) }, chart.locked ? "Unlock" : "Lock"),
-    tube && h("button", { className: "small", id: "subdivide-here", onclick: () => send((at) => ({ edit: "subdivide_chart", at })) }, "Subdivide"),
+    tube && h("button", { className: "small", id: "subdivide-here", onclick: () => send((at) => ({ edit: "subdivide_chart", at })) }, "Add contour"),
     tube && h("button", { className: "small", onclick: () => send((at) => ({ edit: "collapse_chart", at })) }, "Collapse"),
     !tube && h("button", { className: "small", onclick: () => send((at) => ({ edit: "pin_corners", at })) }, "Make regular"),
   );

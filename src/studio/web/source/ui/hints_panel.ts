@@ -21,6 +21,7 @@ export class HintsPanel {
   constructor(private readonly app: Workbench) {
     this.mark = new PlaceMark(app.viewport);
     app.store.watch(["state"], () => this.follow());
+    app.store.watch(["deviation"], () => this.draw());
   }
 
   // Hints are of one state of the design; relaxing and certifying do not change it.
@@ -65,7 +66,7 @@ export class HintsPanel {
     for (const hint of this.hints ?? []) rows.push(this.row(hint));
     if (state?.statistics && this.hints === null)
       rows.push(this.busy ? h("p", { className: "empty" }, "Looking …") : h("button", { className: "wide", id: "find-hints", onclick: () => void this.ask(state) }, "Look for hints"));
-    const nothing = state?.statistics ? "Nothing to improve that we know of." : "Hints appear with the first design.";
+    const nothing = state?.statistics ? this.verdict() : "Hints appear with the first design.";
     replace(this.element, ...rows, rows.length === 0 && h("p", { className: "empty" }, nothing));
   }
 
@@ -73,10 +74,17 @@ export class HintsPanel {
     const place = this.placeOf(hint);
     const apply = h(
       "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: () => this.mark.show(place), onpointerleave: () => this.mark.show(null), onfocus: () => this.mark.show(place), onblur: () => this.mark.show(null) },
-      h("span", {}, hint.reason), h("em", {}, hint.edit.edit.replaceAll("_", " ")),
+      h("span", {}, hint.reason), h("em", {}, hint.text),
     );
     const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.mark.show(place), this.app.flyTo(place)) }, icon(icons.eye));
     return h("div", { className: "hint-row" }, apply, fly);
+  }
+
+  /** What there is to say without hints: that all is well only where the shape is kept, too. */
+  private verdict(): string {
+    const deviation = this.app.store.get("deviation");
+    const lost = deviation && (deviation.lost_corners.length > 0 || deviation.lost_sharp_length > 0.02 * deviation.sharp_length);
+    return lost ? "No hint, but sharp edges or corners are lost: the panel Deviation shows where. Snap contours there, or ask for more quads." : "Nothing to improve that we know of.";
   }
 
   private placeOf(hint: Hint): THREE.Vector3 {

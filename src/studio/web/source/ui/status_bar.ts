@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { State } from "../net/messages";
+import type { Deviation, State } from "../net/messages";
 import type { Store } from "../store";
 import { h, readable, replace } from "./dom";
 import { time } from "./history_panel";
 
+/** More than this part of the diagonal is worth a warning. */
+const farPart = 0.01;
+
 /** The line below: what is open, how many quads, whether they are certified, and the index budget. */
 export function statusBar(store: Store, certify: () => void): HTMLElement {
   const bar = h("footer", { className: "status" });
-  store.watch(["state", "connected"], () => {
+  store.watch(["state", "connected", "deviation"], () => {
     const state = store.get("state");
     replace(
       bar,
@@ -16,6 +19,7 @@ export function statusBar(store: Store, certify: () => void): HTMLElement {
         h("span", { title: "Triangles of the surface, and its handles" }, `${state.file.name} · ${readable(state.file.triangles)} triangles · genus ${state.file.genus}`),
       state?.statistics && h("span", { className: "counts", "data-quads": String(state.statistics.quads) }, `${readable(state.statistics.quads)} quads · ${readable(state.statistics.vertices)} vertices`),
       state?.statistics && (state.certificate ? light(state, certify) : h("span", { className: "checking" }, h("span", { className: "light grey" }), "checking")),
+      kept(store.get("deviation")),
       state?.facts?.fans && h("span", { className: "fans", title: state.facts.fans }, "with fans of triangles"),
       state?.budget && budget(state),
       h("span", { className: "spring" }),
@@ -23,6 +27,21 @@ export function statusBar(store: Store, certify: () => void): HTMLElement {
     );
   });
   return bar;
+}
+
+/** A mesh may be valid and yet not what the surface was: the greatest distance, and what is lost. */
+function kept(deviation: Deviation | null): HTMLElement | null {
+  if (!deviation) return null;
+  const { diagonal, of_surface, of_quads, lost_corners, sharp_length, lost_sharp_length } = deviation, part = Math.max(of_surface, of_quads) / diagonal;
+  const lost = [
+    lost_corners.length > 0 && `${lost_corners.length} ${lost_corners.length === 1 ? "corner" : "corners"} lost`,
+    lost_sharp_length > 0.02 * sharp_length && `${Math.round((100 * lost_sharp_length) / sharp_length)} % of sharp edges cut through`,
+  ].filter(Boolean);
+  const far = part > farPart;
+  return h(
+    "span", { className: `kept ${far || lost.length ? "warn" : ""}`, title: "The greatest distance that was measured between surface and quads, by the diagonal; the panel Deviation shows where" },
+    `off by ${(100 * part).toPrecision(2)} %`, ...lost.map((text) => `, ${text as string}`),
+  );
 }
 
 function lastText(state: State): string {

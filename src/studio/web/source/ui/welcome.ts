@@ -2,6 +2,7 @@
 import type { Store } from "../store";
 import { h, icon, replace } from "./dom";
 import { icons } from "./icons";
+import { sessionCards } from "./sessions";
 
 /** What stands in the middle while nothing is open. */
 export function welcome(store: Store, open: () => void, restore: (digest?: string) => void): HTMLElement {
@@ -9,18 +10,18 @@ export function welcome(store: Store, open: () => void, restore: (digest?: strin
   store.watch(["state", "busy"], () => {
     const state = store.get("state");
     host.hidden = !state || Boolean(state.file) || Boolean(store.get("busy"));
-    const last = state?.last_session, unreadable = state?.unreadable_sessions ?? [];
-    const others = (state?.sessions ?? []).filter((s) => s.edits > 0 && s.name !== last?.name);
-    const goOn = (name: string, edits: number) => `Go on with ${name} (${edits} ${edits === 1 ? "edit" : "edits"})`;
+    const unreadable = state?.unreadable_sessions ?? [], sessions = (state?.sessions ?? []).filter((s) => s.edits > 0).slice(0, 8);
+    const cards = sessions.length > 0 && sessionCards(sessions, restore);
+    if (cards) cards.querySelector("button")!.id = "restore";
     replace(
       host,
       h("h1", {}, "From a surface to quads"),
       h("p", {}, "Open a triangle mesh, accept the suggested design or make your own, and export a mesh of quads only."),
       h("button", { className: "primary large", onclick: open }, icon(icons.open), "Open a mesh"),
-      last && h("button", { className: "large", id: "restore", onclick: () => restore() }, icon(icons.undo), goOn(last.name, last.edits)),
-      ...others.map((s) => h("button", { className: "session", onclick: () => restore(s.digest) }, goOn(s.name, s.edits))),
+      cards && h("h2", {}, "Go on with"),
+      cards,
       unreadable.length > 0 && h("p", { className: "note" }, `Sessions that this program cannot read, kept as they are: ${unreadable.join(", ")}`),
-      h("p", { className: "note" }, "or drop a file here"),
+      h("p", { className: "note" }, "or drop a mesh here"),
     );
   });
   return host;
