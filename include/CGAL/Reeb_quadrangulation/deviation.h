@@ -10,8 +10,8 @@
 #include <vector>
 
 /// \file
-/// Where quads do not keep the shape of a surface: distances place by place, sharp edges and corners that are lost. For pictures and lists;
-/// `certify()` proves bounds.
+/// Where quads do not keep the shape of a surface: distances place by place, sharp edges and corners that are
+/// lost. For pictures and lists; `certify()` proves bounds.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -27,8 +27,9 @@ struct Deviation_place {
 struct Deviation {
   double diagonal = 0;            ///< of the surface's bounding box
   std::vector<double> of_surface; ///< of each vertex of the surface, to the quads
-  /// Of each quad the greatest distance that was measured: of its corners and its middle to the surface, and of those vertices of the
-  /// surface that it is the nearest quad to. Zero where a quad has a corner that is no point, or twice the same.
+  /// Of each quad the greatest distance that was measured: of its corners and its middle to the surface, and
+  /// of those vertices of the surface that it is the nearest quad to. Zero where a quad has a corner that is
+  /// no point, or twice the same.
   std::vector<double> of_quads;
   double greatest_of_surface = 0, greatest_of_quads = 0; ///< of the quads' corners and middles
   std::vector<Deviation_place> worst; ///< the greatest first; each is far from those before it
@@ -47,7 +48,9 @@ struct Deviation_options {
   const Observer* observer = nullptr; ///< may be null
 };
 
-/// Measures both directions. Fails with `impossible_request` where one side has no face, and with `cancelled`. O((n + m) log (n + m)).
+/// Measures both directions. Fails with `impossible_request` where one side has no face, and with
+/// `cancelled`.
+/// O((n + m) log (n + m)).
 Result<Deviation> measure_deviation(const Quad_mesh& quads, const Triangle_surface& surface,
                                     const Deviation_options& options = {});
 
