@@ -6,6 +6,8 @@ build_packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev lib
 studio_packages=""
 command -v node >/dev/null || studio_packages="nodejs"
 command -v npm >/dev/null || studio_packages="$studio_packages npm"
+# The Python package, its wheel, and what its examples use: REEBQUAD_PYTHON is switched on where pybind11 is found.
+python_packages="pybind11-dev python3-dev python3-numpy python3-setuptools python3-wheel python3-pip python3-meshio python3-matplotlib"
 test_packages="catch2 clang-format doxygen chromium"
 
 # install_packages NAME...: installs those that are missing; says nothing when there are none.
