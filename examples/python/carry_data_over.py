@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the triangles had at their vertices comes over to the quads; finer quads where a size field asks for them."""
+"""What the triangles had at their vertices comes over to the quads, which are finer where sizes ask for it."""
 
 import numpy as np
 
@@ -20,7 +20,8 @@ def main():
     lengths = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean(axis=1)
     fine = corners.mean(axis=1)[:, 0] > 0.4
     coarse = corners.mean(axis=1)[:, 0] < -0.4
-    print(f"edges of {lengths[fine].mean():.3f} where 0.08 was asked for, {lengths[coarse].mean():.3f} where 0.24 was")
+    print(f"edges of {lengths[fine].mean():.3f} where 0.08 was asked for,", end=" ")
+    print(f"{lengths[coarse].mean():.3f} where 0.24 was")
     assert abs(carried - exact).max() < 0.02 and 1.5 * lengths[fine].mean() < lengths[coarse].mean()
 
 

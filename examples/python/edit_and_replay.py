@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Designing by edits: extrema, a hint, a split pole, an edit that is refused, undo, and the recipe that replays it all."""
+"""Designing by edits: extrema, hints, a split pole, an edit that is refused, undo, and the recipe of it all."""
 
 import reebquad
 
@@ -9,14 +9,16 @@ def main():
     editor = reebquad.Editor(points, faces, quads=800)
     editor.apply({"edit": "suggest"})
     design = editor.design()
-    print(f"suggested: {len(design['extrema'])} extrema, {len(design['charts'])} charts, {design['quads']} quads")
+    print(f"{len(design['extrema'])} extrema, {len(design['charts'])} charts, {design['quads']} quads")
     for hint in editor.hints()[:3]:
         print("hint:", hint["reason"])
 
     tip = design["extrema"][0]["point"]
     editor.apply("split_pole", at=tip, kind="half")
-    print("the pole is split; mean scaled Jacobian",
-          round(editor.quads().statistics["scaled_jacobian"]["mean"], 3))
+    print(
+        "the pole is split; mean scaled Jacobian",
+        round(editor.quads().statistics["scaled_jacobian"]["mean"], 3),
+    )
     try:
         editor.apply("remove_contour", at=tip)
     except reebquad.Error as refused:

@@ -24,12 +24,17 @@ def main():
     result = reebquad.quadrangulate(mesh.points, mesh.get_cells_type("triangle"), quads=700, effort="fast")
     for warning in result.warnings:
         print("warning:", warning)
-    meshio.Mesh(result.vertices, [("quad", result.quads)], cell_data={"chart": [result.chart]}).write("quads.vtu")
+    meshio.Mesh(result.vertices, [("quad", result.quads)], cell_data={"chart": [result.chart]}).write(
+        "quads.vtu"
+    )
 
     axes = plt.figure(figsize=(6, 6)).add_subplot(projection="3d")
     colours = matplotlib.colormaps["tab20"](result.chart % 20)
-    axes.add_collection3d(Poly3DCollection(result.vertices[result.quads], facecolors=colours, edgecolors="black",
-                                           linewidths=0.4))
+    axes.add_collection3d(
+        Poly3DCollection(
+            result.vertices[result.quads], facecolors=colours, edgecolors="black", linewidths=0.4
+        )
+    )
     low, high = result.vertices.min(axis=0), result.vertices.max(axis=0)
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     axes.set_box_aspect(high - low)

@@ -12,8 +12,10 @@ def main():
     graph = reebquad.reeb_graph(points, faces, values)
     for node, (vertex, kind) in enumerate(zip(graph.vertices, graph.kinds)):
         if graph.persistence[node] > 0.02:
-            print(f"{kind:8} at {np.round(points[vertex], 2)}, value {values[vertex]:.3f}, "
-                  f"persistence {graph.persistence[node]:.3f}")
+            print(
+                f"{kind:8} at {np.round(points[vertex], 2)}, value {values[vertex]:.3f}, "
+                f"persistence {graph.persistence[node]:.3f}"
+            )
     print(f"{len(graph.kinds)} nodes, {len(graph.arcs)} arcs, {graph.loops} loops")
     # A handle of the surface is a loop of the graph; noise makes pairs of nodes, but no loops.
     assert graph.loops == 2

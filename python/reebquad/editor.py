@@ -62,8 +62,10 @@ class EditorQuads:
     statistics: Dict[str, Any]
 
     def __repr__(self) -> str:
-        return (f"<EditorQuads: {len(self.vertices)} vertices, {len(self.quads)} quads, "
-                f"{'passed' if self.certificate['passed'] else 'failed'}>")
+        return (
+            f"<EditorQuads: {len(self.vertices)} vertices, {len(self.quads)} quads, "
+            f"{'passed' if self.certificate['passed'] else 'failed'}>"
+        )
 
     def write(self, path: Path, **options: Any) -> List[str]:
         """Writes quads and triangles as ``reebquad replay`` does; see ``write_mesh()``."""
@@ -80,8 +82,8 @@ def _plain(value: Any) -> Any:
 class Editor:
     """An editing session: a design and its history.
 
-    Every edit is checked before it is applied; a refused one raises and leaves everything as it was. Edits are dictionaries, or
-    JSON texts, as recipes have them (the manual's page on recipes lists all)::
+    Every edit is checked before it is applied; a refused one raises and leaves everything as it was. Edits
+    are dictionaries, or JSON texts, as recipes have them (the manual's page on recipes lists all)::
 
         editor = Editor(V, F, quads=600)
         editor.apply({"edit": "suggest"})
@@ -92,26 +94,54 @@ class Editor:
     Args:
         vertices, faces: as for ``quadrangulate()``; one connected component, or ``component`` says which.
         quads, edge_length: of the first design: 3000 quads if neither is given.
-        weights, solver, constraints, prepare, sample_blend, threads, fill_holes, weld, cut_non_manifold_edges: as for
-            ``quadrangulate()``.
+        component, prepare, sample_blend, weights, solver, constraints, threads, fill_holes, weld,
+            cut_non_manifold_edges: as for ``quadrangulate()``.
         progress: called as ``progress(stage, fraction)``.
 
-    An editor works for one thread at a time: a call from another, while one is under way, raises ``ImpossibleRequest``.
+    An editor works for one thread at a time: a call from another, while one is under way, raises
+    ``ImpossibleRequest``.
     """
 
     _session: "_core.Session"
 
-    def __init__(self, vertices: ArrayLike, faces: Faces, *, quads: Optional[int] = None,
-                 edge_length: Optional[float] = None, component: int = 0, prepare: bool = True,
-                 sample_blend: float = 0.5, weights: str = "cotangent", solver: str = "multifrontal",
-                 constraints: str = "elimination", threads: int = 0, fill_holes: int = 0,
-                 weld: Optional[float] = None, cut_non_manifold_edges: bool = True,
-                 progress: Progress = None) -> None:
-        self._session = _core.open_session(vertices, faces, {
-            "quads": quads, "edge_length": edge_length, "component": component, "prepare": prepare,
-            "sample_blend": sample_blend, "weights": weights, "solver": solver, "constraints": constraints,
-            "threads": threads, "fill_holes": fill_holes, "weld": weld,
-            "cut_non_manifold_edges": cut_non_manifold_edges}, progress)
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: Faces,
+        *,
+        quads: Optional[int] = None,
+        edge_length: Optional[float] = None,
+        component: int = 0,
+        prepare: bool = True,
+        sample_blend: float = 0.5,
+        weights: str = "cotangent",
+        solver: str = "multifrontal",
+        constraints: str = "elimination",
+        threads: int = 0,
+        fill_holes: int = 0,
+        weld: Optional[float] = None,
+        cut_non_manifold_edges: bool = True,
+        progress: Progress = None,
+    ) -> None:
+        self._session = _core.open_session(
+            vertices,
+            faces,
+            {
+                "quads": quads,
+                "edge_length": edge_length,
+                "component": component,
+                "prepare": prepare,
+                "sample_blend": sample_blend,
+                "weights": weights,
+                "solver": solver,
+                "constraints": constraints,
+                "threads": threads,
+                "fill_holes": fill_holes,
+                "weld": weld,
+                "cut_non_manifold_edges": cut_non_manifold_edges,
+            },
+            progress,
+        )
 
     @classmethod
     def _of(cls, session: "_core.Session") -> "Editor":
@@ -120,20 +150,25 @@ class Editor:
         return editor
 
     @classmethod
-    def replay(cls, vertices: ArrayLike, faces: Faces, recipe: str, *, threads: int = 0,
-               progress: Progress = None) -> "Editor":
-        """A session that has applied the edits of a recipe's text. On the same surface it gives the same bytes.
+    def replay(
+        cls, vertices: ArrayLike, faces: Faces, recipe: str, *, threads: int = 0, progress: Progress = None
+    ) -> "Editor":
+        """A session that has applied the edits of a recipe's text. On the same surface it gives the same
+        bytes.
 
-        Raises ``MalformedFile`` with the line or the edit where the text is no recipe, and the error of the first edit that does
-        not apply, whose number the sentence has.
+        Raises ``MalformedFile`` with the line or the edit where the text is no recipe, and the error of the
+        first edit that does not apply, whose number the sentence has.
         """
         return cls._of(_core.replay_session(vertices, faces, recipe, threads, progress))
 
-    def apply(self, edit: Union[str, Dict[str, Any]], *, progress: Progress = None, **members: Any) -> EditReport:
+    def apply(
+        self, edit: Union[str, Dict[str, Any]], *, progress: Progress = None, **members: Any
+    ) -> EditReport:
         """Applies an edit: a dictionary, its JSON text, or the edit's name and its members as keywords.
 
-        Points on the surface are ``{"point": [x, y, z]}``, or as keywords also three numbers. Raises ``MalformedFile`` where it is no
-        edit, ``RefusedEdit``, ``ImpossibleRequest`` or ``InfeasibleSampling`` with the reason where it does not apply.
+        Points on the surface are ``{"point": [x, y, z]}``, or as keywords also three numbers. Raises
+        ``MalformedFile`` where it is no edit, ``RefusedEdit``, ``ImpossibleRequest`` or
+        ``InfeasibleSampling`` with the reason where it does not apply.
         """
         return EditReport(**self._session.apply(_edit_text(edit, members), progress))
 
@@ -167,22 +202,24 @@ class Editor:
 
     @property
     def recipe(self) -> str:
-        """The recipe of the present design: a JSON text for ``replay()``, for ``reebquad replay`` and for the studio."""
+        """The recipe of the present design: a text for ``replay()``, ``reebquad replay`` and the studio."""
         return self._session.recipe()
 
     def design(self) -> Dict[str, Any]:
-        """The design: ``extrema``, ``charts``, ``edge_length``, the number of ``quads`` and whether their target is met."""
+        """The design: ``extrema``, ``charts``, ``edge_length``, the number of ``quads``, ``target_met``."""
         return self._session.design()
 
     def chart_at(self, point: ArrayLike) -> Optional[int]:
-        """The identity of the chart that contains the point of the surface nearest to three numbers; ``None`` without charts."""
+        """The identity of the chart at the nearest point of the surface; ``None`` without charts."""
         return self._session.chart_at(point)
 
     def hints(self, *, progress: Progress = None, **options: Any) -> List[Dict[str, Any]]:
-        """Edits that are worth while, each tried on the design: ``kind``, ``reason``, ``place``, ``before``, ``after``, ``edit``.
+        """Edits that are worth while, each tried on the design: ``kind``, ``reason``, ``place``, ``before``,
+        ``after``, ``edit``.
 
-        Options: ``limbs``, ``thin_charts``, ``sharp_edges``, ``saddles`` (booleans), ``limb`` (1.5), ``persistence`` (0.02), ``thin``
-        (0.5), ``snap`` (1), ``feature_angle`` (45), ``room`` (2); lengths in edge lengths of the quads.
+        Options: ``limbs``, ``thin_charts``, ``sharp_edges``, ``saddles`` (booleans), ``limb`` (1.5),
+            ``persistence`` (0.02), ``thin`` (0.5), ``snap`` (1), ``feature_angle`` (45), ``room`` (2);
+            lengths in edge lengths of the quads.
         """
         return json.loads(self._session.hints(options, progress))
 
@@ -190,24 +227,46 @@ class Editor:
         """Takes hints until there are none; returns those that were taken, each an edit of the history."""
         return json.loads(self._session.take_hints(options, progress))
 
-    def quads(self, *, finish: bool = True, relax: Optional[bool] = None, feature_angle: Optional[float] = None,
-              feature_lines: Optional[bool] = None, adaptive: Optional[int] = None,
-              adaptive_quads: Optional[int] = None, progress: Progress = None) -> EditorQuads:
+    def quads(
+        self,
+        *,
+        finish: bool = True,
+        relax: Optional[bool] = None,
+        feature_angle: Optional[float] = None,
+        feature_lines: Optional[bool] = None,
+        adaptive: Optional[int] = None,
+        adaptive_quads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> EditorQuads:
         """The quads of the design as it stands, certified.
 
         Args:
-            finish: relax them on the surface and move vertices onto sharp edges; without, they lie where the textures put them.
-            relax, feature_angle, feature_lines, adaptive, adaptive_quads: of the finish; those not given are as in the recipe, which
-                keeps those that are.
+            finish: relax them on the surface and move vertices onto sharp edges; without, they lie where
+                the textures put them.
+            relax, feature_angle, feature_lines, adaptive, adaptive_quads: of the finish; those not given
+                are as in the recipe, which keeps those that are.
 
         Raises ``RefusedEdit`` where the design is empty, and ``CertificateFailure`` with ``result``.
         """
-        made = self._session.quads(finish, {
-            "relax": relax, "feature_angle": feature_angle, "feature_lines": feature_lines, "adaptive": adaptive,
-            "adaptive_quads": adaptive_quads}, progress)
-        result = EditorQuads(vertices=made["vertices"], quads=made["quads"], triangles=made["triangles"],
-                             chart=made["chart"], certificate=json.loads(made["certificate"]),
-                             statistics=json.loads(made["statistics"]))
+        made = self._session.quads(
+            finish,
+            {
+                "relax": relax,
+                "feature_angle": feature_angle,
+                "feature_lines": feature_lines,
+                "adaptive": adaptive,
+                "adaptive_quads": adaptive_quads,
+            },
+            progress,
+        )
+        result = EditorQuads(
+            vertices=made["vertices"],
+            quads=made["quads"],
+            triangles=made["triangles"],
+            chart=made["chart"],
+            certificate=json.loads(made["certificate"]),
+            statistics=json.loads(made["statistics"]),
+        )
         if not made["certified"]:
             failure = first_failure(result.certificate)
             failure.result = result
@@ -215,7 +274,7 @@ class Editor:
         return result
 
     def working_surface(self) -> Tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Vertices and triangles of the surface that the design lives on: a refined copy where the mesh is coarse."""
+        """Vertices and triangles that the design lives on: a refined copy where the mesh is coarse."""
         return self._session.working_surface()
 
 

@@ -11,8 +11,9 @@ class Error(Exception):
 
     Attributes:
         code: the code's name in the manual, as ``"refused_edit"``.
-        element: the kind of element that it is about, ``"vertex"``, ``"edge"``, ``"face"``, ``"component"``, ``"contour"``,
-            ``"chart"``, ``"node"``, ``"line"`` or ``"byte"``; ``None`` where it is about none.
+        element: the kind of element that it is about, ``"vertex"``, ``"edge"``, ``"face"``,
+            ``"component"``, ``"contour"``, ``"chart"``, ``"node"``, ``"line"`` or ``"byte"``; ``None``
+            where it is about none.
         index: of that element; lines count from 1, everything else from 0.
     """
 
@@ -102,9 +103,21 @@ class InternalError(Error):
 
 
 _CLASSES: Dict[str, Type[Error]] = {
-    kind.code: kind for kind in (UnreadableFile, MalformedFile, UnsupportedFormat, UnwritableFile, NotASurface,
-                                 ImpossibleRequest, RefusedEdit, SolverFailure, InfeasibleSampling,
-                                 CertificateFailure, Cancelled, InternalError)
+    kind.code: kind
+    for kind in (
+        UnreadableFile,
+        MalformedFile,
+        UnsupportedFormat,
+        UnwritableFile,
+        NotASurface,
+        ImpossibleRequest,
+        RefusedEdit,
+        SolverFailure,
+        InfeasibleSampling,
+        CertificateFailure,
+        Cancelled,
+        InternalError,
+    )
 }
 
 

@@ -18,11 +18,13 @@ class ReebGraph:
 
     Attributes:
         vertices: (k,) the critical vertex of each node.
-        kinds: of each node: ``"minimum"``, ``"maximum"``, ``"saddle"``, or ``"touch"`` where a contour meets the boundary.
+        kinds: of each node: ``"minimum"``, ``"maximum"``, ``"saddle"``, or ``"touch"`` where a contour
+            meets the boundary.
         persistence: (k,) the difference of values in the node's pair; infinite for saddles in none.
         arcs: (a, 2) the lower and the upper node of each arc.
         pairs: (p, 2) nodes by the elder rule.
-        arc_of_vertex: (n,) the arc of each vertex of the mesh; -1 for critical ones and those without a face.
+        arc_of_vertex: (n,) the arc of each vertex of the mesh; -1 for critical ones and those without a
+            face.
         arc_of_face: (m,) the arc with the largest part of each face.
         components: connected components of the surface.
         loops: independent cycles; on a closed surface with simple saddles the genus.
@@ -40,13 +42,17 @@ class ReebGraph:
 
 
 def reeb_graph(vertices: ArrayLike, faces: ArrayLike, values: ArrayLike) -> ReebGraph:
-    """The Reeb graph of any function, as it is: no extremum is removed, and it need not be constant on the boundary.
+    """The Reeb graph of any function, as it is: no extremum is removed, and it need not be constant on the
+    boundary.
 
     Args:
         vertices: (n, 3).
-        faces: (m, 3), an oriented manifold surface, open or closed, of any number of components. Nothing is mended.
-        values: (n,) one finite value a vertex. Equal values count as ordered by the number of their vertices.
+        faces: (m, 3), an oriented manifold surface, open or closed, of any number of components. Nothing is
+            mended.
+        values: (n,) one finite value a vertex. Equal values count as ordered by the number of their
+            vertices.
 
-    Raises ``NotASurface`` with the face or vertex, ``ImpossibleRequest`` where shapes do not fit or a value is not finite.
+    Raises ``NotASurface`` with the face or vertex, ``ImpossibleRequest`` where shapes do not fit or a value
+    is not finite.
     """
     return ReebGraph(**_core.reeb_graph(vertices, faces, values))

@@ -25,13 +25,15 @@ class Quadrangulation:
         quads: (q, 4), counterclockwise seen from outside.
         component: (q,) the component of each quad, by its number in ``report["components"]``.
         chart: (q,) the chart of each quad, by its number in the layout of its component.
-        uv: (q, 4, 2) U and V of the four corners in the domain of their chart: U from 0 to 1 up an annulus, V around it, 1 a turn,
-            unwrapped; discs are rectangles. ``None`` where quads were subdivided, which have no place there.
+        uv: (q, 4, 2) U and V of the four corners in the domain of their chart: U from 0 to 1 up an annulus,
+            V around it, 1 a turn, unwrapped; discs are rectangles. ``None`` where quads were subdivided,
+            which have no place there.
         source_face: (n,) the face that each vertex lies nearest to; -1 where that fills a hole.
         source_vertices: (n, 3) the corners of a triangle there; -1 for those that mending added.
         barycentrics: (n, 3) their weights. What the input has at its vertices comes over as
             ``(barycentrics[..., None] * data[source_vertices]).sum(axis=1)``.
-        certificate: named checks with ``passed``, ``warnings`` and the measured ``shape``; ``None`` with ``certify=False``.
+        certificate: named checks with ``passed``, ``warnings`` and the measured ``shape``; ``None`` with
+            ``certify=False``.
         report: all numbers, as ``reebquad run --report`` writes them.
         warnings: sentences: what was mended or left out, and what the certificate warns of.
         editors: the sessions that made the designs of the components, ready for more edits.
@@ -59,7 +61,7 @@ class Quadrangulation:
 
     @property
     def recipe(self) -> str:
-        """The recipe of the only component: ``reebquad replay`` and ``Editor.replay()`` make the same bytes of it."""
+        """The recipe of the only component; ``reebquad replay`` and ``Editor.replay()`` make the same bytes."""
         return self._only(self.recipes)
 
     def write(self, path: Path, **options: Any) -> List[str]:
@@ -67,58 +69,66 @@ class Quadrangulation:
         return write_mesh(path, self.vertices, self.quads, **options)
 
     def __repr__(self) -> str:
-        state = "not certified" if self.certificate is None else "passed" if self.certificate["passed"] else "failed"
+        state = (
+            "not certified"
+            if self.certificate is None
+            else "passed"
+            if self.certificate["passed"]
+            else "failed"
+        )
         return f"<Quadrangulation: {len(self.vertices)} vertices, {len(self.quads)} quads, {state}>"
 
     def _only(self, items: List[Any]) -> Any:
         if len(items) != 1:
-            raise ImpossibleRequest(f"the mesh has {len(items)} components; editors and recipes have one for each")
+            raise ImpossibleRequest(f"the mesh has {len(items)} components, each with an editor and a recipe")
         return items[0]
 
 
 def quadrangulate(
-        vertices: ArrayLike,
-        faces: Faces,
-        *,
-        quads: Optional[int] = None,
-        edge_length: Optional[float] = None,
-        sizes: Optional[ArrayLike] = None,
-        adaptive: int = 1,
-        effort: str = "default",
-        extra_vertices: int = -1,
-        minima: Optional[ArrayLike] = None,
-        maxima: Optional[ArrayLike] = None,
-        axis: ArrayLike = (0.0, 0.0, 1.0),
-        persistence: float = 0.08,
-        features: Optional[ArrayLike] = None,
-        feature_points: Optional[ArrayLike] = None,
-        feature_angle: float = 45.0,
-        feature_lines: bool = False,
-        align: bool = False,
-        collapse_thin: bool = True,
-        relax: bool = True,
-        prepare: bool = True,
-        sample_blend: float = 0.5,
-        weights: str = "cotangent",
-        solver: str = "multifrontal",
-        constraints: str = "elimination",
-        component: int = 0,
-        all_or_nothing: bool = False,
-        fill_holes: int = 0,
-        weld: Optional[float] = None,
-        cut_non_manifold_edges: bool = True,
-        smallest_diagonal: float = 0.0,
-        smallest_part: float = 0.0,
-        fewest_triangles: int = 0,
-        certify: bool = True,
-        validate: bool = False,
-        strict: bool = False,
-        threads: int = 0,
-        progress: Progress = None) -> Quadrangulation:
-    """Turns a surface, closed or with boundary loops, into quads, as ``reebquad run`` does: the same options give the same bytes.
+    vertices: ArrayLike,
+    faces: Faces,
+    *,
+    quads: Optional[int] = None,
+    edge_length: Optional[float] = None,
+    sizes: Optional[ArrayLike] = None,
+    adaptive: int = 1,
+    effort: str = "default",
+    extra_vertices: int = -1,
+    minima: Optional[ArrayLike] = None,
+    maxima: Optional[ArrayLike] = None,
+    axis: ArrayLike = (0.0, 0.0, 1.0),
+    persistence: float = 0.08,
+    features: Optional[ArrayLike] = None,
+    feature_points: Optional[ArrayLike] = None,
+    feature_angle: float = 45.0,
+    feature_lines: bool = False,
+    align: bool = False,
+    collapse_thin: bool = True,
+    relax: bool = True,
+    prepare: bool = True,
+    sample_blend: float = 0.5,
+    weights: str = "cotangent",
+    solver: str = "multifrontal",
+    constraints: str = "elimination",
+    component: int = 0,
+    all_or_nothing: bool = False,
+    fill_holes: int = 0,
+    weld: Optional[float] = None,
+    cut_non_manifold_edges: bool = True,
+    smallest_diagonal: float = 0.0,
+    smallest_part: float = 0.0,
+    fewest_triangles: int = 0,
+    certify: bool = True,
+    validate: bool = False,
+    strict: bool = False,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Quadrangulation:
+    """Turns a surface, closed or with boundary loops, into quads, as ``reebquad run`` does: the same options
+    give the same bytes.
 
-    What is safe is mended first, and several components are meshed each for itself. Ctrl-C ends the computation, and the
-    interpreter's lock is released while it runs.
+    What is safe is mended first, and several components are meshed each for itself. Ctrl-C ends the
+    computation, and the interpreter's lock is released while it runs.
 
     Args:
         vertices: (n, 3), in any unit of length.
@@ -129,12 +139,15 @@ def quadrangulate(
         adaptive: 2, 4 or 8: quads up to so many times finer where the surface bends. 1: none.
         effort: ``"fast"`` takes suggested extrema, ``"default"`` searches better ones, ``"best"`` longer.
         extra_vertices: so many extraordinary vertices the search may spend; negative: as many as pay.
-        minima, maxima: where the field's extrema are: vertices (k,) or points (k, 3). Without both, they are suggested.
+        minima, maxima: where the field's extrema are: vertices (k,) or points (k, 3). Without both, they
+            are suggested.
         axis: up: suggested extrema below the middle become minima, those above maxima.
         persistence: how prominent a protrusion must be to get an extremum, 0 to 1.
-        features: (k, 2) edges of the mesh that edges of quads shall run along, whatever their angles, in place of sharp ones.
+        features: (k, 2) edges of the mesh that edges of quads shall run along, whatever their angles, in
+            place of sharp ones.
         feature_points: (k,) vertices of the mesh where quads shall have a vertex.
-        feature_angle: degrees between the normals of faces from which on an edge is sharp and kept; 0: none is.
+        feature_angle: degrees between the normals of faces from which on an edge is sharp and kept; 0: none
+            is.
         feature_lines: whole lines of edges are laid onto sharp edges.
         align: extraordinary vertices are brought in line: fewer patches of the base complex.
         collapse_thin: charts thinner than half a quad are removed.
@@ -145,18 +158,19 @@ def quadrangulate(
         solver: ``"multifrontal"``, ``"cholmod"`` or ``"eigen"``.
         constraints: how the field meets its values: ``"elimination"`` or ``"penalty"``.
         component: only the component of that number, counted from 1; 0: all.
-        all_or_nothing: fail where a component cannot be meshed; otherwise it is left out, and a warning tells.
+        all_or_nothing: fail where a component cannot be meshed; otherwise it is left out, and a warning
+            tells.
         fill_holes: holes of at most so many edges are filled.
         weld: borders nearer than this length are welded; ``None``: a millionth of the diagonal.
         cut_non_manifold_edges: edges of more than two faces are cut; otherwise their component is refused.
-        smallest_diagonal, smallest_part, fewest_triangles: components are dropped whose box has a shorter diagonal, a diagonal
-            of a smaller part of the whole's, or that have fewer triangles.
+        smallest_diagonal, smallest_part, fewest_triangles: components are dropped whose box has a shorter
+            diagonal, a diagonal of a smaller part of the whole's, or that have fewer triangles.
         certify: certify the quads; without, ``certificate`` is ``None``.
         validate: fail where a quad is inverted, or quads intersect where the input does not.
         strict: warnings about the shape fail.
         threads: 0: as many as the machine has. The result does not depend on it.
-        progress: called as ``progress(stage, fraction)`` from the thread that called; what it raises ends the computation, and
-            so does returning ``False``.
+        progress: called as ``progress(stage, fraction)`` from the thread that called; what it raises ends
+            the computation, and so does returning ``False``.
 
     Raises:
         ImpossibleRequest: an option is out of range, arrays do not fit together or are not finite.
@@ -175,11 +189,20 @@ def quadrangulate(
     del report["input"]["file"], report["output"]
     certificate = made["certificate"]
     result = Quadrangulation(
-        vertices=made["vertices"], quads=made["quads"], component=made["component"], chart=made["chart"],
-        uv=made["uv"], source_face=made["source_face"], source_vertices=made["source_vertices"],
-        barycentrics=made["barycentrics"], certificate=None if certificate is None else json.loads(certificate),
-        report=report, warnings=made["warnings"], editors=[Editor._of(session) for session in made["editors"]],
-        recipes=made["recipes"])
+        vertices=made["vertices"],
+        quads=made["quads"],
+        component=made["component"],
+        chart=made["chart"],
+        uv=made["uv"],
+        source_face=made["source_face"],
+        source_vertices=made["source_vertices"],
+        barycentrics=made["barycentrics"],
+        certificate=None if certificate is None else json.loads(certificate),
+        report=report,
+        warnings=made["warnings"],
+        editors=[Editor._of(session) for session in made["editors"]],
+        recipes=made["recipes"],
+    )
     if not made["certified"]:
         failure = first_failure(result.certificate or {"checks": []})
         failure.result = result

@@ -14,7 +14,8 @@
 namespace reebquad {
 namespace python {
 
-/// Tells a Python function of the progress, and stops where that raises or returns `False`, or where a signal's handler raises, as
+/// Tells a Python function of the progress, and stops where that raises or returns `False`, or where a
+/// signal's handler raises, as
 /// that of Ctrl-C does. Only the thread that made it asks Python, which it does with the interpreter's lock.
 class Python_observer : public CGAL::Reeb_quadrangulation::Observer {
 public:
@@ -35,7 +36,8 @@ private:
   mutable std::optional<py::error_already_set> m_error; ///< written by the owner
 };
 
-/// Calls `work`, which returns a `Result`, without the interpreter's lock, and returns its value or raises its error.
+/// Calls `work`, which returns a `Result`, without the interpreter's lock, and returns its value or raises
+/// its error.
 template <class Work> auto without_lock(const Python_observer& observer, const Work& work) {
   auto result = [&] {
     const py::gil_scoped_release unlocked;

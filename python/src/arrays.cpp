@@ -18,7 +18,8 @@ std::string shape_of(const py::array& array) {
   return py::str(array.attr("shape"));
 }
 
-/// Anything that NumPy takes for an array of one of these kinds ('f': floating, 'i' and 'u': integers). Nothing is rounded.
+/// Anything that NumPy takes for an array of one of these kinds ('f': floating, 'i' and 'u': integers).
+/// Nothing is rounded.
 py::array array_of(const py::object& object, const char* name, const std::string& kinds, const char* wanted) {
   const py::array array = py::array::ensure(object);
   if (!array) {

@@ -13,7 +13,8 @@ std::vector<CGAL::Reeb_quadrangulation::Quadrangulation_options>
 deal(const CGAL::Reeb_quadrangulation::Quadrangulation_options& asked,
      const std::vector<CGAL::Reeb_quadrangulation::Mended_component>& components);
 
-/// Adds the user's features to the options of the components that have them. Fails with `impossible_request` where one is no edge
+/// Adds the user's features to the options of the components that have them. Fails with `impossible_request`
+/// where one is no edge
 /// of any component.
 CGAL::Reeb_quadrangulation::Result<void>
 deal_features(const Request& request, const Polygon_soup& soup,

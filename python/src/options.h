@@ -12,7 +12,8 @@
 namespace reebquad {
 namespace python {
 
-/// Reads a dictionary of keywords, whose `None` means the default, and refuses those that nobody has asked for.
+/// Reads a dictionary of keywords, whose `None` means the default, and refuses those that nobody has asked
+/// for.
 class Keywords {
 public:
   explicit Keywords(py::dict values) : m_left(std::move(values)) {}

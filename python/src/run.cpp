@@ -91,7 +91,8 @@ private:
     return {};
   }
 
-  /// Leaves only the component that is asked for, if one is; of a mesh of which one is, the others are not missed.
+  /// Leaves only the component that is asked for, if one is; of a mesh of which one is, the others are not
+  /// missed.
   Result<void> choose(Mended_surface& mended) {
     const std::size_t asked = std::size_t(m_request.options.component), number = mended.components.size();
     if (asked > number)

@@ -11,13 +11,17 @@ import reebquad
 
 def torus(columns=24, rows=12):
     """Vertices and triangles of a torus around the z axis, closed and oriented outward."""
-    u, v = np.meshgrid(np.arange(columns) * 2 * np.pi / columns, np.arange(rows) * 2 * np.pi / rows, indexing="ij")
+    u, v = np.meshgrid(
+        np.arange(columns) * 2 * np.pi / columns, np.arange(rows) * 2 * np.pi / rows, indexing="ij"
+    )
     around = 1 + 0.4 * np.cos(v)
     points = np.stack([around * np.cos(u), around * np.sin(u), 0.4 * np.sin(v)], axis=-1).reshape(-1, 3)
     i, j = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
     right, up = (i + 1) % columns, (j + 1) % rows
     a, b, c, d = i * rows + j, right * rows + j, right * rows + up, i * rows + up
-    faces = np.concatenate([np.stack([a, b, c], axis=-1).reshape(-1, 3), np.stack([a, c, d], axis=-1).reshape(-1, 3)])
+    faces = np.concatenate(
+        [np.stack([a, b, c], axis=-1).reshape(-1, 3), np.stack([a, c, d], axis=-1).reshape(-1, 3)]
+    )
     return points, faces
 
 
@@ -37,7 +41,9 @@ def cube():
 
 def program(*arguments):
     """Runs the program, which must succeed."""
-    done = subprocess.run([os.environ["REEBQUAD_PROGRAM"], *map(str, arguments)], capture_output=True, text=True)
+    done = subprocess.run(
+        [os.environ["REEBQUAD_PROGRAM"], *map(str, arguments)], capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -56,8 +62,19 @@ def bytes_of(path):
 
 def euler_characteristic(quads):
     """V - E + F of an array of quads."""
-    edges = np.sort(np.concatenate([quads[:, [0, 1]], quads[:, [1, 2]], quads[:, [2, 3]], quads[:, [3, 0]]]), axis=1)
+    edges = np.sort(
+        np.concatenate([quads[:, [0, 1]], quads[:, [1, 2]], quads[:, [2, 3]], quads[:, [3, 0]]]), axis=1
+    )
     return len(np.unique(quads)) - len(np.unique(edges, axis=0)) + len(quads)
 
 
-__all__ = ["bytes_of", "cube", "euler_characteristic", "lying_torus", "program", "reebquad", "torus", "without_times"]
+__all__ = [
+    "bytes_of",
+    "cube",
+    "euler_characteristic",
+    "lying_torus",
+    "program",
+    "reebquad",
+    "torus",
+    "without_times",
+]

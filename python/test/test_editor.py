@@ -33,9 +33,11 @@ class History(unittest.TestCase):
 
     def test_dictionary_text_and_keywords_are_the_same_edit(self):
         at = self.editor.design()["extrema"][0]["point"]
-        edits = [lambda e: e.apply({"edit": "split_pole", "at": {"point": np.array(at)}, "kind": "half"}),
-                 lambda e: e.apply(json.dumps({"edit": "split_pole", "at": {"point": list(at)}, "kind": "half"})),
-                 lambda e: e.apply("split_pole", at=at, kind="half")]
+        edits = [
+            lambda e: e.apply({"edit": "split_pole", "at": {"point": np.array(at)}, "kind": "half"}),
+            lambda e: e.apply(json.dumps({"edit": "split_pole", "at": {"point": list(at)}, "kind": "half"})),
+            lambda e: e.apply("split_pole", at=at, kind="half"),
+        ]
         recipes = set()
         for edit in edits:
             edit(self.editor)
@@ -56,7 +58,9 @@ class History(unittest.TestCase):
         self.editor.apply("set_target", quads=250)
         ours = self.editor.quads(feature_angle=0)
         with tempfile.TemporaryDirectory() as folder:
-            path = {name: os.path.join(folder, name) for name in ("in.off", "recipe", "program.ply", "python.ply")}
+            path = {
+                name: os.path.join(folder, name) for name in ("in.off", "recipe", "program.ply", "python.ply")
+            }
             reebquad.write_mesh(path["in.off"], *self.mesh)
             with open(path["recipe"], "w", encoding="utf-8") as file:
                 file.write(self.editor.recipe)
@@ -112,8 +116,15 @@ class Hints(unittest.TestCase):
         points, faces = reebquad.make_shape("hand", 2000)
         editor = reebquad.Editor(points, faces, quads=600)
         low, high = points[points[:, 2].argmin()], points[points[:, 2].argmax()]
-        editor.apply({"edit": "set_extrema", "extrema": [{"at": {"point": low}, "maximum": False},
-                                                         {"at": {"point": high}, "maximum": True}]})
+        editor.apply(
+            {
+                "edit": "set_extrema",
+                "extrema": [
+                    {"at": {"point": low}, "maximum": False},
+                    {"at": {"point": high}, "maximum": True},
+                ],
+            }
+        )
         hints = editor.hints(thin_charts=False, saddles=False)
         self.assertTrue(hints)
         self.assertEqual(hints[0]["kind"], "uncovered_limb")

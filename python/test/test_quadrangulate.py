@@ -28,8 +28,17 @@ class Equal_to_the_program(unittest.TestCase):
 
     def compare(self, mesh, options, arguments):
         reebquad.write_mesh(self.path("in.off"), *mesh)
-        program("run", self.path("in.off"), "-o", self.path("program.obj"), "--quiet", "--force", "--report",
-                self.path("report.json"), *arguments)
+        program(
+            "run",
+            self.path("in.off"),
+            "-o",
+            self.path("program.obj"),
+            "--quiet",
+            "--force",
+            "--report",
+            self.path("report.json"),
+            *arguments,
+        )
         result = reebquad.quadrangulate(*mesh, **options)
         result.write(self.path("python.obj"))
         self.assertEqual(bytes_of(self.path("python.obj")), bytes_of(self.path("program.obj")))
@@ -46,11 +55,16 @@ class Equal_to_the_program(unittest.TestCase):
         self.compare(cube(), {"quads": 100}, ["--quads", 100])
 
     def test_edge_length_solver_and_placed_extrema_mean_the_same(self):
-        self.compare(torus(), {"edge_length": 0.2, "solver": "eigen", "minima": [[-1.4, 0, 0]], "maxima": [0]},
-                     ["--edge-length", 0.2, "--solver", "eigen", "--min=-1.4,0,0", "--max=1.4,0,0"])
+        self.compare(
+            torus(),
+            {"edge_length": 0.2, "solver": "eigen", "minima": [[-1.4, 0, 0]], "maxima": [0]},
+            ["--edge-length", 0.2, "--solver", "eigen", "--min=-1.4,0,0", "--max=1.4,0,0"],
+        )
 
     def test_components_share_the_quads_as_the_programs_do(self):
-        result = self.compare(two_shapes(), {"quads": 500, "effort": "fast"}, ["--quads", 500, "--effort", "fast"])
+        result = self.compare(
+            two_shapes(), {"quads": 500, "effort": "fast"}, ["--quads", 500, "--effort", "fast"]
+        )
         self.assertEqual(set(result.component), {0, 1})
         self.assertEqual(len(result.editors), 2)
         with self.assertRaises(reebquad.ImpossibleRequest):
@@ -58,8 +72,11 @@ class Equal_to_the_program(unittest.TestCase):
 
     def test_a_hole_is_filled_and_a_component_chosen_as_the_program_does(self):
         points, faces = two_shapes()
-        result = self.compare((points, faces[1:]), {"quads": 200, "effort": "fast", "fill_holes": 10, "component": 1},
-                              ["--quads", 200, "--effort", "fast", "--fill-holes", "--hole-edges", 10, "--component", 1])
+        result = self.compare(
+            (points, faces[1:]),
+            {"quads": 200, "effort": "fast", "fill_holes": 10, "component": 1},
+            ["--quads", 200, "--effort", "fast", "--fill-holes", "--hole-edges", 10, "--component", 1],
+        )
         self.assertEqual(json.loads(result.recipe)["component"], 1)
 
 
@@ -136,20 +153,34 @@ class Wishes(unittest.TestCase):
         points, faces = torus()
         outside = np.arange(24) * 12  # the outermost circle
         features = np.stack([outside, np.roll(outside, -1)], axis=1)
-        result = reebquad.quadrangulate(points, faces, quads=300, effort="fast", features=features, feature_points=[0])
-        distance = np.hypot(np.hypot(result.vertices[:, 0], result.vertices[:, 1]) - 1.4, result.vertices[:, 2])
+        result = reebquad.quadrangulate(
+            points, faces, quads=300, effort="fast", features=features, feature_points=[0]
+        )
+        distance = np.hypot(
+            np.hypot(result.vertices[:, 0], result.vertices[:, 1]) - 1.4, result.vertices[:, 2]
+        )
         self.assertGreater((distance < 0.02).sum(), 12)
         self.assertLess(np.linalg.norm(result.vertices - points[0], axis=1).min(), 1e-9)
 
     def test_without_certificate_there_is_none(self):
-        self.assertIsNone(reebquad.quadrangulate(*torus(), quads=100, effort="fast", certify=False).certificate)
+        self.assertIsNone(
+            reebquad.quadrangulate(*torus(), quads=100, effort="fast", certify=False).certificate
+        )
 
 
 class Documentation(unittest.TestCase):
     def test_every_parameter_has_a_type_and_a_word(self):
-        for function in (reebquad.quadrangulate, reebquad.Editor.__init__, reebquad.reeb_graph, reebquad.check,
-                         reebquad.certify, reebquad.read_mesh, reebquad.write_mesh, reebquad.Editor.quads):
-            words = (reebquad.Editor.__doc__ if function is reebquad.Editor.__init__ else function.__doc__)
+        for function in (
+            reebquad.quadrangulate,
+            reebquad.Editor.__init__,
+            reebquad.reeb_graph,
+            reebquad.check,
+            reebquad.certify,
+            reebquad.read_mesh,
+            reebquad.write_mesh,
+            reebquad.Editor.quads,
+        ):
+            words = reebquad.Editor.__doc__ if function is reebquad.Editor.__init__ else function.__doc__
             for name, parameter in inspect.signature(function).parameters.items():
                 if name != "self":
                     self.assertIsNot(parameter.annotation, inspect.Parameter.empty, name)

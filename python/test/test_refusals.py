@@ -31,7 +31,7 @@ class Arguments(unittest.TestCase):
             (dict(faces=np.where(F == 3, len(V), F)), ("face", int(np.where(F == 3)[0][0]))),
             (dict(faces=np.where(F == 3, -1, F)), ("face", int(np.where(F == 3)[0][0]))),
             (dict(quads=0), (None, None)),
-            (dict(quads=2 ** 40), (None, None)),
+            (dict(quads=2**40), (None, None)),
             (dict(quads=10, edge_length=0.1), (None, None)),
             (dict(edge_length=-1.0), (None, None)),
             (dict(edge_length=float("nan")), (None, None)),
@@ -39,7 +39,7 @@ class Arguments(unittest.TestCase):
             (dict(sizes=np.zeros(len(V))), ("vertex", 0)),
             (dict(features=[[0, 100]]), ("edge", 0)),
             (dict(features=[[0, 1, 2]]), (None, None)),
-            (dict(feature_points=[10 ** 6]), ("vertex", 0)),
+            (dict(feature_points=[10**6]), ("vertex", 0)),
             (dict(effort="lazy"), (None, None)),
             (dict(solver="gauss"), (None, None)),
             (dict(axis=[0, 0, 0]), (None, None)),
@@ -60,10 +60,19 @@ class Arguments(unittest.TestCase):
                 self.assertIsInstance(refused.exception, ValueError)
 
     def test_wrong_types_are_type_errors_that_name_the_argument(self):
-        cases = [(dict(vertices=V.astype(complex)), "vertices"), (dict(vertices="torus"), "vertices"),
-                 (dict(faces=F.astype(float)), "faces"), (dict(faces=F > 3), "faces"), (dict(quads=2.5), "quads"),
-                 (dict(quads=True), "quads"), (dict(edge_length="long"), "edge_length"), (dict(relax=1), "relax"),
-                 (dict(effort=3), "effort"), (dict(progress=3), "progress"), (dict(quadss=3), "quadss")]
+        cases = [
+            (dict(vertices=V.astype(complex)), "vertices"),
+            (dict(vertices="torus"), "vertices"),
+            (dict(faces=F.astype(float)), "faces"),
+            (dict(faces=F > 3), "faces"),
+            (dict(quads=2.5), "quads"),
+            (dict(quads=True), "quads"),
+            (dict(edge_length="long"), "edge_length"),
+            (dict(relax=1), "relax"),
+            (dict(effort=3), "effort"),
+            (dict(progress=3), "progress"),
+            (dict(quadss=3), "quadss"),
+        ]
         for case, name in cases:
             with self.subTest(**{key: str(value)[:30] for key, value in case.items()}):
                 with self.assertRaisesRegex(TypeError, name):
@@ -71,8 +80,11 @@ class Arguments(unittest.TestCase):
 
     def test_any_memory_layout_and_width_of_numbers_is_taken(self):
         expected = reebquad.quadrangulate(V, F, quads=100, effort="fast", certify=False).vertices
-        for vertices, faces in [(np.asfortranarray(V), F.astype(np.uint8 if len(V) < 256 else np.uint16)),
-                                (np.repeat(V, 2, axis=0)[::2], F.astype(np.int64)), (V.tolist(), F.tolist())]:
+        for vertices, faces in [
+            (np.asfortranarray(V), F.astype(np.uint8 if len(V) < 256 else np.uint16)),
+            (np.repeat(V, 2, axis=0)[::2], F.astype(np.int64)),
+            (V.tolist(), F.tolist()),
+        ]:
             result = reebquad.quadrangulate(vertices, faces, quads=100, effort="fast", certify=False)
             self.assertEqual(result.vertices.tobytes(), expected.tobytes())
 
@@ -82,8 +94,11 @@ class Arguments(unittest.TestCase):
                 reebquad.quadrangulate(V, faces)
 
     def test_every_class_has_its_code(self):
-        classes = [kind for kind in vars(reebquad).values()
-                   if isinstance(kind, type) and issubclass(kind, reebquad.Error) and kind is not reebquad.Error]
+        classes = [
+            kind
+            for kind in vars(reebquad).values()
+            if isinstance(kind, type) and issubclass(kind, reebquad.Error) and kind is not reebquad.Error
+        ]
         self.assertEqual(len(classes), 12)
         self.assertEqual(len({kind.code for kind in classes}), 12)
 
@@ -145,8 +160,14 @@ class Files(unittest.TestCase):
 class Ending(unittest.TestCase):
     def test_progress_tells_stages_and_fractions_on_the_calling_thread(self):
         calls = []
-        reebquad.quadrangulate(V, F, quads=100, effort="fast", threads=2,
-                               progress=lambda *call: calls.append((*call, threading.get_ident())))
+        reebquad.quadrangulate(
+            V,
+            F,
+            quads=100,
+            effort="fast",
+            threads=2,
+            progress=lambda *call: calls.append((*call, threading.get_ident())),
+        )
         self.assertGreater(len({stage for stage, _, _ in calls}), 3)
         self.assertTrue(all(0 <= fraction <= 1 for _, fraction, _ in calls))
         self.assertEqual({thread for _, _, thread in calls}, {threading.get_ident()})

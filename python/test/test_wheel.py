@@ -20,7 +20,9 @@ print(reebquad.__version__, result.certificate["passed"])
 
 
 def pip(*arguments, folder):
-    subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", *arguments], cwd=folder, check=True)
+    subprocess.run(
+        [sys.executable, "-m", "pip", "--disable-pip-version-check", *arguments], cwd=folder, check=True
+    )
 
 
 def main():
@@ -42,8 +44,14 @@ def main():
         assert any(name.startswith("_core") and name.endswith((".so", ".pyd")) for name in names), names
         pip("install", "--quiet", "--no-deps", "--target", "site", wheel, folder=folder)
         environment = {**os.environ, "PYTHONPATH": os.path.join(folder, "site")}
-        done = subprocess.run([sys.executable, "-c", PROGRAM], cwd=folder, env=environment, check=True,
-                              capture_output=True, text=True)
+        done = subprocess.run(
+            [sys.executable, "-c", PROGRAM],
+            cwd=folder,
+            env=environment,
+            check=True,
+            capture_output=True,
+            text=True,
+        )
         version, passed = done.stdout.split()
         assert passed == "True" and version in os.path.basename(wheel), done.stdout
         print("the wheel", os.path.basename(wheel), "works")
