@@ -96,6 +96,9 @@ def quadrangulate(
     extra_vertices: int = -1,
     minima: Optional[ArrayLike] = None,
     maxima: Optional[ArrayLike] = None,
+    mirror: str = "none",
+    mirror_positions: str = "exact",
+    mirror_tolerance: float = 0.01,
     axis: ArrayLike = (0.0, 0.0, 1.0),
     persistence: float = 0.08,
     features: Optional[ArrayLike] = None,
@@ -141,6 +144,11 @@ def quadrangulate(
         extra_vertices: so many extraordinary vertices the search may spend; negative: as many as pay.
         minima, maxima: where the field's extrema are: vertices (k,) or points (k, 3). Without both, they
             are suggested.
+        mirror: the quads equal their mirror image: ``"auto"`` finds a plane of symmetry, ``"x"``, ``"y"``,
+            ``"z"`` lie across that axis (``"-x"`` keeps the other half), or a point and a normal as
+            ``"0,0,0,1,0,0"``. ``report["mirror"]`` has what came of it, with the ``image`` of each vertex.
+        mirror_positions: ``"exact"`` by reflection, or ``"projected"`` onto the surface.
+        mirror_tolerance: how far the shape may be from its image, as a part of its diagonal.
         axis: up: suggested extrema below the middle become minima, those above maxima.
         persistence: how prominent a protrusion must be to get an extremum, 0 to 1.
         features: (k, 2) edges of the mesh that edges of quads shall run along, whatever their angles, in

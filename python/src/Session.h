@@ -15,9 +15,11 @@ namespace python {
 /// An editor for Python, with what its recipe says beside the edits. It works for one thread at a time.
 class Session {
 public:
-  /// `recipe` has the component, the holes and the finish; its edits are not read.
-  Session(CGAL::Reeb_quadrangulation::Editor editor, CGAL::Reeb_quadrangulation::Recipe recipe)
-      : m_editor(std::move(editor)), m_recipe(std::move(recipe)) {}
+  /// `recipe` has the component, the holes, the mirror and the finish; its edits are not read. With a mirror, the editor works on a
+  /// half of `whole`.
+  Session(CGAL::Reeb_quadrangulation::Editor editor, CGAL::Reeb_quadrangulation::Recipe recipe,
+          CGAL::Reeb_quadrangulation::Triangle_surface whole = {})
+      : m_editor(std::move(editor)), m_recipe(std::move(recipe)), m_whole(std::move(whole)) {}
 
   /// Holds the session; an error where another thread, or a progress function, is at it.
   class Hold {
@@ -27,6 +29,7 @@ public:
     }
     CGAL::Reeb_quadrangulation::Editor& editor() { return m_session.m_editor; }
     CGAL::Reeb_quadrangulation::Recipe& recipe() { return m_session.m_recipe; }
+    const CGAL::Reeb_quadrangulation::Triangle_surface& whole() const { return m_session.m_whole; }
 
   private:
     std::unique_lock<std::mutex> m_lock;
@@ -37,6 +40,7 @@ private:
   std::mutex m_mutex;
   CGAL::Reeb_quadrangulation::Editor m_editor;
   CGAL::Reeb_quadrangulation::Recipe m_recipe;
+  CGAL::Reeb_quadrangulation::Triangle_surface m_whole; ///< empty without a mirror
 };
 
 } // namespace python

@@ -5,13 +5,17 @@
 #include "bind.h"
 #include "options.h"
 
+#include "base/parallel_for.h"
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/halve_surface.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
+#include <CGAL/Reeb_quadrangulation/mirror_quads.h>
 #include <CGAL/Reeb_quadrangulation/pole_fans.h>
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace reebquad {
@@ -40,11 +44,26 @@ Result<Triangle_surface> surface_of(const Polygon_soup& soup, const Recipe& reci
   return std::move(mended->components[std::size_t(std::max(component, 1) - 1)].surface);
 }
 
-Result<Editor> open(const Polygon_soup& soup, const Recipe& recipe, const Mend_options& mending,
+/// An editor, and with a mirror the surface that it works on a half of.
+struct Opened {
+  Editor editor;
+  Triangle_surface whole;
+};
+
+Result<Opened> open(const Polygon_soup& soup, const Recipe& recipe, const Mend_options& mending,
                     Observer& observer) {
   Result<Triangle_surface> surface = surface_of(soup, recipe, mending);
   if (!surface) return surface.error();
-  return Editor::create(std::move(*surface), recipe.options, &observer);
+  Triangle_surface whole;
+  if (recipe.mirror) {
+    Result<Surface_half> half = halve_surface(*surface, recipe.mirror->plane);
+    if (!half) return half.error();
+    whole = std::move(*surface);
+    *surface = std::move(half->surface);
+  }
+  Result<Editor> editor = Editor::create(std::move(*surface), recipe.options, &observer);
+  if (!editor) return editor.error();
+  return Opened{std::move(*editor), std::move(whole)};
 }
 
 /// Applies edits one by one; the error of the first that does not apply says which it is.
@@ -61,11 +80,12 @@ Result<void> apply_all(Editor& editor, const std::vector<Edit>& edits, Observer&
   return {};
 }
 
-Result<Editor> replayed(const Polygon_soup& soup, const Recipe& recipe, Observer& observer) {
-  Result<Editor> editor = open(soup, recipe, {}, observer);
-  if (!editor) return editor;
-  if (Result<void> applied = apply_all(*editor, recipe.edits, observer); !applied) return applied.error();
-  return editor;
+Result<Opened> replayed(const Polygon_soup& soup, const Recipe& recipe, Observer& observer) {
+  Result<Opened> opened = open(soup, recipe, {}, observer);
+  if (!opened) return opened;
+  if (Result<void> applied = apply_all(opened->editor, recipe.edits, observer); !applied)
+    return applied.error();
+  return opened;
 }
 
 Session_pointer open_session(const py::object& vertices, const py::object& faces, const py::dict& given,
@@ -81,8 +101,8 @@ Session_pointer open_session(const py::object& vertices, const py::object& faces
   keywords.end();
   recipe.fill_holes = mending.fill_holes;
   Python_observer observer(progress);
-  Editor editor = without_lock(observer, [&] { return open(soup, recipe, mending, observer); });
-  return std::make_shared<Session>(std::move(editor), std::move(recipe));
+  Opened opened = without_lock(observer, [&] { return open(soup, recipe, mending, observer); });
+  return std::make_shared<Session>(std::move(opened.editor), std::move(recipe));
 }
 
 Session_pointer replay_session(const py::object& vertices, const py::object& faces, const std::string& text,
@@ -91,8 +111,8 @@ Session_pointer replay_session(const py::object& vertices, const py::object& fac
   Recipe recipe = value_of(recipe_from_json(text));
   recipe.options.threads = threads;
   Python_observer observer(progress);
-  Editor editor = without_lock(observer, [&] { return replayed(soup, recipe, observer); });
-  return std::make_shared<Session>(std::move(editor), std::move(recipe));
+  Opened opened = without_lock(observer, [&] { return replayed(soup, recipe, observer); });
+  return std::make_shared<Session>(std::move(opened.editor), std::move(recipe), std::move(opened.whole));
 }
 
 py::dict dictionary(const Edit_report& report) {
@@ -134,6 +154,7 @@ std::string recipe_text(Session& session) {
   Recipe recipe = recipe_of(hold.editor());
   recipe.component = hold.recipe().component;
   recipe.fill_holes = hold.recipe().fill_holes;
+  recipe.mirror = hold.recipe().mirror;
   recipe.finish = hold.recipe().finish;
   return to_json(recipe);
 }
@@ -175,24 +196,62 @@ struct Made_quads {
   Mesh_statistics statistics;
 };
 
-Result<Made_quads> make_quads(const Editor& editor, const Finish_options* finish, Observer& observer) {
-  Made_quads made;
-  if (finish) {
-    Result<Finished_design> finished = editor.finished_quads(*finish, &observer);
-    if (!finished) return finished.error();
-    made.quads = std::move(finished->quads);
-  } else if (editor.design().charts.empty()) {
-    return make_error(Error_code::refused_edit, "the design has no charts yet; place extrema first");
-  } else {
-    made.quads = editor.quads();
+/// The quads of both sides of a mirror, and the fans.
+Result<Stitched_mesh> doubled(Session::Hold& hold, Finished_design design, Finish_options finish,
+                              std::vector<Pole_fan>& fans, Observer& observer) {
+  const Mirror& mirror = *hold.recipe().mirror;
+  const Result<Surface_half> half = halve_surface(hold.whole(), mirror.plane);
+  if (!half) return half.error();
+  finish.relaxation.threads =
+      CGAL::Reeb_quadrangulation::internal::number_of_threads(hold.editor().options().threads);
+  const Surface_projector whole(hold.whole());
+  Result<Mirrored_design> both =
+      mirror_design(std::move(design), *half, whole, mirror.positions, finish, &observer);
+  if (!both) return both.error();
+  for (std::size_t i = 0, number = fans.size(); i < number; ++i) {
+    Pole_fan fan = fans[i];
+    fan.pole = half->plane.reflected(fan.pole);
+    for (int& v : fan.ring) v = both->image[std::size_t(v)];
+    std::reverse(fan.ring.begin(), fan.ring.end());
+    fans.push_back(std::move(fan));
   }
-  const std::vector<Pole_fan> fans = pole_fans(editor.design(), made.quads);
+  return std::move(both->whole.quads);
+}
+
+/// Stitched only, or finished.
+Result<Finished_design> design_quads(const Editor& editor, const Finish_options* finish, Observer& observer) {
+  if (finish) return editor.finished_quads(*finish, &observer);
+  if (editor.design().charts.empty())
+    return make_error(Error_code::refused_edit, "the design has no charts yet; place extrema first");
+  Finished_design design;
+  design.quads = editor.quads();
+  return design;
+}
+
+Result<Made_quads> make_quads(Session::Hold& hold, const Finish_options* finish, Observer& observer) {
+  const Editor& editor = hold.editor();
+  Result<Finished_design> design = design_quads(editor, finish, observer);
+  if (!design) return design.error();
+  Made_quads made;
+  std::vector<Pole_fan> fans = pole_fans(editor.design(), design->quads);
+  const bool is_mirrored = hold.recipe().mirror.has_value();
+  if (is_mirrored) {
+    Finish_options unmoved;
+    unmoved.relax = false;
+    Result<Stitched_mesh> both =
+        doubled(hold, std::move(*design), finish ? *finish : unmoved, fans, observer);
+    if (!both) return both.error();
+    made.quads = std::move(*both);
+  } else {
+    made.quads = std::move(design->quads);
+  }
+  const Triangle_surface& input = is_mirrored ? hold.whole() : editor.input();
   made.polygons = with_fans(made.quads.mesh, fans);
   const Stitched_mesh closed = with_paired_fans(made.quads, fans);
   Certificate_options options;
   options.observer = &observer;
-  made.certificate = certify({closed.mesh, &editor.input(), closed.valences, closed.components}, options);
-  made.statistics = quad_statistics(made.quads.mesh, &editor.input());
+  made.certificate = certify({closed.mesh, &input, closed.valences, closed.components}, options);
+  made.statistics = quad_statistics(made.quads.mesh, &input);
   if (observer.cancelled()) return make_error(Error_code::cancelled, "cancelled");
   return made;
 }
@@ -214,8 +273,8 @@ py::dict quads(Session& session, bool finish, const py::dict& given, const py::o
   read_finish(keywords, options);
   keywords.end();
   Python_observer observer(progress);
-  const Made_quads made = without_lock(
-      observer, [&] { return make_quads(hold.editor(), finish ? &options : nullptr, observer); });
+  const Made_quads made =
+      without_lock(observer, [&] { return make_quads(hold, finish ? &options : nullptr, observer); });
   if (finish) hold.recipe().finish = options;
   py::dict out;
   out["vertices"] = to_array(made.polygons.points);

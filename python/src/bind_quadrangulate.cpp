@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mirror_output.h"
 #include "Session.h"
 #include "arrays.h"
 #include "bind.h"
@@ -53,6 +54,26 @@ void read_sizes(Keywords& keywords, const Polygon_soup& soup, Request& request) 
              std::int64_t(v));
 }
 
+/// The plane is written as the program's `--mirror` is.
+void read_mirror(Keywords& keywords, Quadrangulation_options& options) {
+  const std::string plane = keywords.take_text("mirror");
+  Mirror_request asked;
+  keywords.read("mirror_positions", asked.positions,
+                {{"exact", Mirror_positions::exact}, {"projected", Mirror_positions::projected}});
+  keywords.read("mirror_tolerance", asked.tolerance);
+  if (!(asked.tolerance >= 0 && asked.tolerance <= 1)) refuse("mirror_tolerance lies between 0 and 1");
+  if (plane.empty()) return;
+  try {
+    options.mirror = mirror_request(plane);
+  } catch (const Failure&) {
+    refuse("mirror is auto, x, y, z, -x, -y, -z, none, or a point and a normal as 0,0,0,1,0,0; it got '" +
+           plane + "'");
+  }
+  if (!options.mirror) return;
+  options.mirror->positions = asked.positions;
+  options.mirror->tolerance = asked.tolerance;
+}
+
 Request read_request(const py::dict& given, const Polygon_soup& soup) {
   Keywords keywords(given);
   Request request;
@@ -61,6 +82,7 @@ Request read_request(const py::dict& given, const Polygon_soup& soup) {
   Run_options& options = request.options;
   read_extrema(keywords, soup, "minima", false, options.pipeline.extrema);
   read_extrema(keywords, soup, "maxima", true, options.pipeline.extrema);
+  read_mirror(keywords, options.pipeline);
   read_mending(keywords, options.mending);
   read_run(keywords, options.pipeline);
   keywords.read("component", options.component);
@@ -93,7 +115,8 @@ void add_editors(Outcome& outcome, const Request& request, py::dict& out) {
     recipe.component = outcome.component_number[c];
     recipe.fill_holes = request.options.mending.fill_holes;
     recipes.append(to_json(recipe));
-    editors.append(std::make_shared<Session>(std::move(component.result->editor), std::move(recipe)));
+    const Triangle_surface whole = recipe.mirror ? component.surface : Triangle_surface();
+    editors.append(std::make_shared<Session>(std::move(component.result->editor), std::move(recipe), whole));
   }
   out["editors"] = editors;
   out["recipes"] = recipes;

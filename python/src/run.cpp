@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run.h"
 
+#include "Mirror_output.h"
 #include "components.h"
 
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
@@ -83,6 +84,10 @@ private:
     if (Result<void> found = deal_features(m_request, m_soup, mended->components, m_options); !found)
       return found;
     if (Result<void> chosen = choose(*mended); !chosen) return chosen;
+    if (m_request.options.pipeline.mirror && mended->components.size() > 1)
+      return make_error(Error_code::impossible_request, "a mirror is for one component, this mesh has " +
+                                                            std::to_string(mended->components.size()) +
+                                                            "; component says which");
     run().mends = std::move(mended->mends);
     run().refused = std::move(mended->refused);
     m_components = std::move(mended->components);
@@ -210,6 +215,10 @@ private:
 
   void measure() {
     Run& all = run();
+    if (const Mirror_report* report = all.mirror_report())
+      all.mirror = check_mirror(all.quads, report->mirror.plane, report->image);
+    const bool mirrored = !all.mirror || is_kept(*all.mirror_report(), *all.mirror);
+    if (!mirrored) all.status = Exit_code::certificate_failed;
     if (m_request.certify) {
       m_observer.progress("certificate", 0);
       Certificate_options options;
@@ -229,6 +238,8 @@ private:
   }
 
   void collect_warnings() {
+    if (run().mirror && !run().mirror->message.empty())
+      m_outcome.warnings.push_back("mirror: " + run().mirror->message);
     for (const Mend& mend : run().mends) m_outcome.warnings.push_back(mend.text);
     for (const Error& error : left_out()) m_outcome.warnings.push_back("left out: " + error.message);
     if (run().certificate)

@@ -61,6 +61,20 @@ class Equal_to_the_program(unittest.TestCase):
             ["--edge-length", 0.2, "--solver", "eigen", "--min=-1.4,0,0", "--max=1.4,0,0"],
         )
 
+    def test_mirrored_quads_are_the_programs_and_so_is_their_recipe(self):
+        mesh = torus()
+        result = self.compare(
+            mesh,
+            {"quads": 300, "effort": "fast", "mirror": "x"},
+            ["--quads", 300, "--effort", "fast", "--mirror", "x"],
+        )
+        mirrored = result.vertices[result.report["mirror"]["image"]] * [-1, 1, 1]
+        np.testing.assert_array_equal(mirrored, result.vertices)
+        again = reebquad.Editor.replay(*mesh, result.recipe)
+        self.assertEqual(again.quads().vertices.tobytes(), result.vertices.tobytes())
+        self.assertEqual(result.editor.quads().vertices.tobytes(), result.vertices.tobytes())
+        self.assertEqual(again.recipe, result.recipe)
+
     def test_components_share_the_quads_as_the_programs_do(self):
         result = self.compare(
             two_shapes(), {"quads": 500, "effort": "fast"}, ["--quads", 500, "--effort", "fast"]
