@@ -42,7 +42,7 @@ class Arguments(unittest.TestCase):
             (dict(feature_points=[10**6]), ("vertex", 0)),
             (dict(effort="lazy"), (None, None)),
             (dict(mirror="w"), (None, None)),
-            (dict(mirror="1,0,0,0,0,1", mirror_tolerance=0.001), (None, None)),
+            (dict(mirror="0,0,0.1,0,0,1", mirror_tolerance=0.001), (None, None)),
             (dict(solver="gauss"), (None, None)),
             (dict(axis=[0, 0, 0]), (None, None)),
             (dict(persistence=2.0), (None, None)),
