@@ -10,9 +10,14 @@ import bpy
 from . import exchange, program, transfer
 
 
-def program_of(context):
+def found_program(context):
+    """The path of the program; empty where there is none."""
     addon = context.preferences.addons.get(__package__)
-    path = program.find(addon.preferences.path if addon else "")
+    return program.find(addon.preferences.path if addon else "")
+
+
+def program_of(context):
+    path = found_program(context)
     if not path:
         raise exchange.Refusal("the program reebquad is not found: name it in the add-on's preferences")
     return path

@@ -3,6 +3,8 @@
 
 import bpy
 
+from . import operators, program
+
 
 class REEBQUAD_PT_panel(bpy.types.Panel):
     bl_label = "Reebquad"
@@ -19,7 +21,9 @@ class REEBQUAD_PT_panel(bpy.types.Panel):
         layout.prop(settings, "edge_length" if settings.use_edge_length else "quads")
         for name in ("effort", "mirror", "adaptive", "feature_angle"):
             layout.prop(settings, name)
-        layout.row().prop(settings, "marks")
+        path = operators.found_program(context)
+        if path and "--marks" in program.options_of(path):
+            layout.row().prop(settings, "marks")
         layout.prop(settings, "use_modifiers")
         layout.prop(settings, "hide_source")
         layout.operator("object.reebquad_remesh", icon="MESH_GRID")
