@@ -21,6 +21,7 @@ import { ChartView } from "./local/chart_view";
 import { chartPanel } from "./ui/chart_panel";
 import { designPanel } from "./ui/design_panel";
 import { defectsPanel } from "./ui/defects_panel";
+import { displayMenu } from "./ui/display_menu";
 import { h, icon, save } from "./ui/dom";
 import { DeviationPanel } from "./ui/deviation_panel";
 import { HintsPanel } from "./ui/hints_panel";
@@ -29,6 +30,8 @@ import { icons } from "./ui/icons";
 import { keyboardHelp, listenToKeys, type Shortcut } from "./ui/keyboard";
 import { layersPanel } from "./ui/layers_panel";
 import { openDialog } from "./ui/open_dialog";
+import { lostBanner } from "./ui/lost_banner";
+import { Preferences } from "./ui/preferences";
 import { askName, question } from "./ui/question";
 import { partsPanel } from "./ui/parts_panel";
 import { progressBar } from "./ui/progress";
@@ -48,6 +51,8 @@ const advice: Record<string, string> = {
   "no integer sampling exists": "Nothing was changed: free a count, or ask for more quads.",
 };
 
+const largestUpload = 2 ** 30;
+
 /** Commands after which an earlier failure is of no interest. */
 const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "open_recipe", "component"]);
 
@@ -55,6 +60,7 @@ export class App implements Workbench {
   readonly store = new Store();
   readonly toasts: Toasts;
   readonly connection: Connection;
+  readonly preferences: Preferences;
   readonly viewport: Viewport;
   readonly stage: Stage;
   readonly tools: ToolBox;
@@ -78,7 +84,9 @@ export class App implements Workbench {
       progress: (stage, fraction) => this.store.set("busy", stage ? { stage, fraction } : null),
       trouble: (message) => this.toasts.show("That did not work", message, "bad"),
       connected: (yes) => this.store.set("connected", yes),
+      preferences: (kept) => this.preferences.take(kept),
     });
+    this.preferences = new Preferences(this.connection);
     this.drags = new DragEdits(this.connection, (error) => this.tell(error), (reason) => this.tools.tellRefusal(reason && plain(reason)));
     const canvasHost = h("div", { className: "canvas" });
     const overlay = h("div", { className: "overlay" });
@@ -162,6 +170,10 @@ export class App implements Workbench {
   }
 
   async upload(file: File): Promise<void> {
+    if (file.size > largestUpload) {
+      const text = `${file.name} has ${(file.size / 2 ** 30).toFixed(1)} GiB; at most 1 GiB can be sent. Put it into the folder of the program and open it from there: that takes up to 4 GiB.`;
+      return this.toasts.show("The file is too large", text, "bad");
+    }
     try {
       this.store.set("busy", { stage: `sending ${file.name}`, fraction: 0 });
       await this.connection.upload(file);
@@ -288,6 +300,7 @@ export class App implements Workbench {
     this.store.watch(["up"], () => this.viewport.setUp(new THREE.Vector3(...this.store.get("up"))));
     this.store.watch(["layers"], () => this.stage.show(this.store.get("layers")));
     this.store.watch(["chart"], () => this.stage.setSelected(this.store.get("chart")));
+    this.preferences.watch(() => this.follow());
     const shortcuts = this.shortcuts(openMesh);
     const showKeys = keyboardHelp(shortcuts, this.tools.keyNotes());
     help.onclick = showKeys;
@@ -315,6 +328,8 @@ export class App implements Workbench {
       { keys: "Ctrl+y", about: "redo", group: "Studio", run: () => void this.ask("redo") },
       { keys: "Ctrl+e", about: "export the quads", group: "Studio", run: () => void this.download("obj", `${this.baseName}_quads.obj`) },
       { keys: "h", about: "see everything", group: "Camera", run: () => this.viewport.fit(this.stage.surface.positions, true) },
+      { keys: ".", about: "see the chosen chart", group: "Camera", run: () => this.frameChart() },
+      { keys: "o", about: "orthographic or not", group: "Camera", run: () => this.preferences.set("orthographic", !this.preferences.get("orthographic")) },
       { keys: "+", about: "nearer", group: "Camera", run: () => this.viewport.zoom(1.2) },
       { keys: "-", about: "further away", group: "Camera", run: () => this.viewport.zoom(1 / 1.2) },
       { keys: "Escape", about: "stop the tool", group: "Tools", run: () => this.tools.escape() },
@@ -327,7 +342,10 @@ export class App implements Workbench {
 
   private makeShell(root: HTMLElement, canvasHost: HTMLElement, overlay: HTMLElement, openMesh: () => void): HTMLButtonElement {
     const help = button(icons.help, "Keys and mouse (?)");
-    const toggleTheme = (): void => this.toggleTheme();
+    const toggleTheme = (): void => this.preferences.set("theme", document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+    const display = displayMenu(this.preferences, {
+      look: (from) => this.viewport.look(from), everything: () => this.viewport.fit(this.stage.surface.positions, true), selection: () => this.frameChart(),
+    });
     const viewButtons = viewsBar(this.store, (view) => Boolean(view === "surface" ? this.store.get("state")?.file : this.store.get("state")?.statistics));
     const format = h("select", { title: "Format of the quads", "aria-label": "Format of the quads", id: "format" }, ...["obj", "off", "ply", "vtk", "glb", "stl"].map((f) => h("option", { value: f }, f.toUpperCase())));
     const undo = button(icons.undo, "Undo (Ctrl+Z)", () => void this.ask("undo"), "undo");
@@ -349,7 +367,7 @@ export class App implements Workbench {
       h("button", { id: "open", title: "Open a mesh, earlier work or a recipe (Ctrl+O)", onclick: openMesh }, icon(icons.open), "Open"),
       undo, redo, h("span", { className: "spring" }), viewButtons, h("span", { className: "spring" }),
       h("span", { className: "joined" }, saveRecipe, saveAs), report, h("span", { className: "joined" }, exportQuads, format),
-      button(icons.camera, "Save a picture", () => void this.screenshot(), "screenshot"), button(icons.theme, "Dark or light", toggleTheme, "theme"), help,
+      ...display, button(icons.camera, "Save a picture", () => void this.screenshot(), "screenshot"), button(icons.theme, "Dark or light", toggleTheme, "theme"), help,
     );
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
     const side = h(
@@ -368,12 +386,25 @@ export class App implements Workbench {
         this.store, (where, radius) => this.flyTo(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
       ), false),
     );
-    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
+    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), lostBanner(this.store), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
     root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));
     return help;
   }
 
-  private toggleTheme = startTheme(() => this.stage?.show(this.store.get("layers")));
+  private readonly theme = startTheme(() => this.stage?.show(this.store.get("layers")));
+
+  /** Sees all of the chosen chart, or everything where none is. */
+  private frameChart(): void {
+    const chart = this.store.get("chart"), points = chart < 0 ? this.stage.surface.positions : this.stage.surface.pointsOf(chart);
+    if (points.length > 0) this.viewport.frameOf(points);
+  }
+
+  private follow(): void {
+    const theme = this.preferences.get("theme");
+    if (theme) this.theme.set(theme);
+    this.stage.setShading(this.preferences.get("shading"));
+    this.viewport.setOrthographic(this.preferences.get("orthographic"));
+  }
 
   private async screenshot(): Promise<void> {
     save(await this.viewport.screenshot(), `${this.baseName}.png`);

@@ -16,6 +16,7 @@ export interface Listener {
   progress(stage: string, fraction: number): void;
   trouble(message: string): void;
   connected(yes: boolean): void;
+  preferences(kept: Record<string, unknown>): void;
 }
 
 /** Where the secret is kept: only pages of this origin, with its port, can read it. Servers of others at other ports are not sent it. */
@@ -104,6 +105,7 @@ export class Connection {
     } else if (message.event === "state") this.listener.state(message);
     else if (message.event === "progress") this.listener.progress(message.stage, message.fraction);
     else if (message.event === "no_layer") this.listener.layerGone(message.layer);
+    else if (message.event === "hello") this.listener.preferences(message.preferences ?? {});
     else if (message.event === "trouble") this.listener.trouble(message.message);
   }
 

@@ -32,7 +32,7 @@ class Report {
   constructor(root: HTMLElement, private readonly facts: Facts) {
     const canvasHost = h("div", { className: "canvas" });
     this.store.set("connected", true);
-    const toggleTheme = startTheme(() => this.show());
+    const { toggle: toggleTheme } = startTheme(() => this.show());
     this.viewport = new Viewport(canvasHost);
     this.readLayers();
     this.store.set("state", stateOf(facts));

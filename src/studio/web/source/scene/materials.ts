@@ -158,11 +158,18 @@ export enum Shape {
   diamond = -3,
 }
 
+/** By which part of the eye's distance markers are nearer than what they mark. */
+const markerDepth = { value: 0.008 };
+
+export function setMarkerDepth(part: number): void {
+  markerDepth.value = part;
+}
+
 export function markerMaterial(): THREE.ShaderMaterial {
   return new THREE.ShaderMaterial({
-    uniforms: { size: { value: 14 }, ratio: { value: 1 }, border: { value: new THREE.Vector3(0.07, 0.08, 0.1) } },
+    uniforms: { nearer: markerDepth, size: { value: 14 }, ratio: { value: 1 }, border: { value: new THREE.Vector3(0.07, 0.08, 0.1) } },
     vertexShader: /* glsl */ `
-      uniform float size, ratio;
+      uniform float size, ratio, nearer;
       attribute vec3 colour;
       attribute float shape;
       attribute float scale;
@@ -172,7 +179,7 @@ export function markerMaterial(): THREE.ShaderMaterial {
         vColour = colour;
         vShape = shape;
         vec4 p = modelViewMatrix * vec4(position, 1.0);
-        p.xyz *= 0.992; // before the surface that it lies on
+        p.xyz *= 1.0 - nearer; // before the surface that it lies on
         gl_Position = projectionMatrix * p;
         gl_PointSize = size * scale * ratio;
       }`,

@@ -38,6 +38,8 @@ export class Stage {
   /** The quads' edges on the surface, and sharp edges that none of them follows. */
   readonly wireframe = new Lines(1.2, 0x23262d, { opacity: 0.85 });
   readonly lostEdges = new Lines(4, 0xd1470a);
+  /** Around the chosen chart. */
+  readonly outline = new Lines(4, 0x3d8bff);
   readonly chosenContour = new Lines(5, 0xffb454, { hidden: true });
   readonly reebLines = new Lines(4.5, 0x2f7de0, { hidden: true });
   critical: CriticalPoint[] = [];
@@ -49,6 +51,7 @@ export class Stage {
   private textures: Float32Array | null = null;
   private quadFrame: Frame | null = null;
   private wireframeIsStale = false;
+  private outlineIsStale = false;
   private readonly criticalMaterial = markerMaterial();
   private readonly nodeMaterial = markerMaterial();
 
@@ -65,12 +68,14 @@ export class Stage {
     this.contourLines.object.renderOrder = 2;
     this.reebLines.object.renderOrder = 7;
     this.chosenContour.object.renderOrder = 6;
+    this.outline.object.renderOrder = 3;
     viewport.onRender.push(() => {
+      this.drawOutline();
       this.surface.update();
       this.quads.update();
     });
     viewport.scene.add(
-      this.others.group, this.surface.group, this.quads.group, this.wireframe.object, this.lostEdges.object, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.others.group, this.surface.group, this.quads.group, this.wireframe.object, this.lostEdges.object, this.outline.object, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 
@@ -79,7 +84,10 @@ export class Stage {
     if (frame.layer === "surface") this.surface.setSurface(frame);
     else if (frame.layer === "cuts") this.surface.setCuts(frame);
     else if (frame.layer === "field") this.surface.setField(frame);
-    else if (frame.layer === "charts") this.surface.setCharts(frame);
+    else if (frame.layer === "charts") {
+      this.surface.setCharts(frame);
+      this.outlineIsStale = true;
+    }
     else if (frame.layer === "contours") this.setContours(frame);
     else if (frame.layer === "critical") this.setCritical(frame);
     else if (frame.layer === "reeb") this.setReeb(frame);
@@ -90,7 +98,10 @@ export class Stage {
   }
 
   remove(layer: string): void {
-    if (layer === "cuts") this.surface.clearDesign();
+    if (layer === "cuts") {
+      this.surface.clearDesign();
+      this.outlineIsStale = true;
+    }
     if (layer === "quads") {
       this.quads.clear();
       this.wireframe.set(new Float32Array());
@@ -161,6 +172,13 @@ export class Stage {
     this.viewport.invalidate();
   }
 
+  private drawOutline(): void {
+    const chart = this.surface.material.uniforms.selected!.value as number;
+    if (this.outlineIsStale) this.outline.set(chart < 0 ? new Float32Array() : this.surface.outlineOf(chart));
+    this.outlineIsStale = false;
+    this.outline.show(chart >= 0 && this.surface.group.visible);
+  }
+
   private takeQuads(frame: Frame): void {
     this.quadFrame = frame;
     this.quads.set(frame);
@@ -177,6 +195,7 @@ export class Stage {
   }
   setSelected(chart: number): void {
     this.surface.material.uniforms.selected!.value = chart;
+    this.outlineIsStale = true;
     this.viewport.invalidate();
   }
 

@@ -203,6 +203,32 @@ export class Surface {
     return this.vertex(inner[inner.length >> 1]!);
   }
 
+  /** The corners of all faces of a chart. */
+  pointsOf(chart: number): Float32Array {
+    const out: number[] = [];
+    this.eachTriangleOf(chart, (corners) => corners.forEach((v) => this.vertex(v).toArray(out, out.length)));
+    return new Float32Array(out);
+  }
+
+  /** The border of a chart, as pairs of points: the edges that one of its triangles has alone. */
+  outlineOf(chart: number): Float32Array {
+    const all = this.positions.length / 3 + this.cuts.position.length / 3, alone = new Map<number, [number, number]>();
+    this.eachTriangleOf(chart, (corners) => {
+      for (let k = 0; k < 3; ++k) {
+        const a = corners[k]!, b = corners[(k + 1) % 3]!, key = Math.min(a, b) * all + Math.max(a, b);
+        if (!alone.delete(key)) alone.set(key, [a, b]);
+      }
+    });
+    const out: number[] = [];
+    for (const ends of alone.values()) for (const v of ends) this.vertex(v).toArray(out, out.length);
+    return new Float32Array(out);
+  }
+
+  private eachTriangleOf(chart: number, visit: (corners: Uint32Array) => void): void {
+    this.chartOfFace.forEach((other, f) => other === chart && !this.piecesOf.has(f) && visit(this.triangles.subarray(3 * f, 3 * f + 3)));
+    this.cuts.chart.forEach((other, piece) => other === chart && visit(this.cuts.triangle.subarray(3 * piece, 3 * piece + 3)));
+  }
+
   /** The segments in which a plane meets the surface, as pairs of points. */
   intersection(plane: THREE.Plane): Float32Array {
     const out: number[] = [];

@@ -2,6 +2,7 @@
 // The canvas: camera, render on demand, and the rays of the pointer.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { setMarkerDepth } from "./materials";
 import { ballOf } from "./surface";
 
 export interface Theme {
@@ -9,9 +10,16 @@ export interface Theme {
   bottom: string;
 }
 
+/** From where along the axes one can look; the front is where the camera is when a mesh is opened. */
+export type Direction = "front" | "side" | "top";
+
+const usualLens = 32, parallelLens = 1.5; // degrees; with the narrow one parallel lines look parallel
+/** What is left of a turn after 1/60 s. */
+const inertia = 0.82;
+
 export class Viewport {
   readonly scene = new THREE.Scene();
-  readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
+  readonly camera = new THREE.PerspectiveCamera(usualLens, 1, 0.01, 100);
   readonly renderer: THREE.WebGLRenderer;
   readonly controls: OrbitControls;
   /** Called after the size changed; lines of constant width need it. */
@@ -22,6 +30,7 @@ export class Viewport {
   /** Whether pictures follow each other; while nothing moves none is made and nothing runs. */
   private turns = false;
   private radius = 1;
+  private lastFrame = 0;
   private readonly projected = new THREE.Vector3();
   private points: Float32Array = new Float32Array();
   private flight: { from: THREE.Vector3; to: THREE.Vector3; eyeFrom: THREE.Vector3; eyeTo: THREE.Vector3; start: number } | null = null;
@@ -35,7 +44,6 @@ export class Viewport {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.zoomToCursor = true;
     this.controls.enableDamping = true;
-    this.controls.dampingFactor = 0.18;
     this.controls.zoomSpeed = 1.4;
     this.controls.addEventListener("change", () => this.invalidate());
     this.controls.keyPanSpeed = 24;
@@ -77,11 +85,52 @@ export class Viewport {
       : new THREE.Vector3().addScaledVector(side, 0.5).addScaledVector(up, 0.32).addScaledVector(front, 1).normalize();
     const distance = this.distanceFor(points, centre, direction);
     this.fly(centre, direction.multiplyScalar(distance), keepDirection);
-    this.camera.near = this.radius / 200;
-    this.camera.far = this.radius * 40;
+    this.limit();
+  }
+
+  /** Sees all of these points from where it is. */
+  frameOf(points: Float32Array): void {
+    const { centre } = ballOf(points), direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.fly(centre, direction.clone().multiplyScalar(this.distanceFor(points, centre, direction)), true);
+  }
+
+  /** Looks at everything along an axis. */
+  look(from: Direction): void {
+    const { centre } = ballOf(this.points), up = this.camera.up.clone(), side = new THREE.Vector3(up.y, up.z, up.x), front = up.clone().cross(side).negate();
+    // From right above there is no upright: a little of the front keeps it.
+    const direction = from === "front" ? front : from === "side" ? side : up.addScaledVector(front, 1e-3).normalize();
+    this.fly(centre, direction.multiplyScalar(this.distanceFor(this.points, centre, direction)), true);
+  }
+
+  /** A lens so narrow, and an eye so far away, that parallel lines look parallel; what is seen stays as large. */
+  setOrthographic(on: boolean): void {
+    const before = this.camera.fov, lens = on ? parallelLens : usualLens;
+    if (before === lens) return;
+    const eye = this.camera.position.clone().sub(this.controls.target).multiplyScalar(halfTangent(before) / halfTangent(lens));
+    this.flight = null;
+    this.camera.fov = lens;
+    this.limit();
+    setMarkerDepth(0.008 * (halfTangent(lens) / halfTangent(usualLens)));
+    this.camera.position.copy(this.controls.target).add(eye);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** How near and how far the eye can be. */
+  private limit(): void {
+    const times = halfTangent(usualLens) / halfTangent(this.camera.fov);
+    this.controls.minDistance = (this.radius * times) / 100;
+    this.controls.maxDistance = this.radius * 15 * times;
+  }
+
+  /** What is drawn lies between these distances from the eye. */
+  private clip(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const near = Math.max(this.radius / 200, distance - 4 * this.radius), far = distance + 40 * this.radius;
+    if (Math.abs(near - this.camera.near) < 1e-3 * near && Math.abs(far - this.camera.far) < 1e-3 * far) return;
+    this.camera.near = near;
+    this.camera.far = far;
     this.camera.updateProjectionMatrix();
-    this.controls.minDistance = this.radius / 100;
-    this.controls.maxDistance = this.radius * 15;
   }
 
   /** How far the eye must be, in that direction from the centre, to have all points in the picture with a margin. */
@@ -89,7 +138,7 @@ export class Viewport {
     const right = this.camera.up.clone().cross(direction).normalize(), above = direction.clone().cross(right);
     const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * 0.88, wide = high * this.camera.aspect;
     const p = new THREE.Vector3();
-    let distance = 0.1 * this.radius;
+    let distance = (0.1 * this.radius * halfTangent(usualLens)) / halfTangent(this.camera.fov);
     for (let i = 0; i < points.length; i += 3) {
       p.fromArray(points, i).sub(centre);
       distance = Math.max(distance, p.dot(direction) + Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(above)) / high));
@@ -110,7 +159,8 @@ export class Viewport {
   focus(point: THREE.Vector3, distance?: number, outside?: THREE.Vector3): void {
     const eye = this.camera.position.clone().sub(this.controls.target);
     if (outside && eye.dot(outside) < 0.6 * eye.length()) eye.setLength(0.4).add(outside).setLength(this.camera.position.distanceTo(this.controls.target));
-    eye.setLength(distance ?? Math.max(eye.length() * 0.6, this.radius * 0.35));
+    const times = halfTangent(usualLens) / halfTangent(this.camera.fov);
+    eye.setLength(distance !== undefined ? distance * times : Math.max(eye.length() * 0.6, this.radius * 0.35 * times));
     this.fly(point, eye, true);
   }
 
@@ -189,6 +239,10 @@ export class Viewport {
   /** Makes a picture if it is wanted; whether another one may follow. */
   private frame(time: number): boolean {
     if (this.flight) this.advance(time);
+    // A turn dies away in the same time, however many pictures that is.
+    const passed = Math.min(Math.max(time - this.lastFrame, 1), 100);
+    this.lastFrame = time;
+    this.controls.dampingFactor = 1 - inertia ** (passed / (1000 / 60));
     const moves = this.controls.update();
     if (this.wanted) {
       this.wanted = false;
@@ -198,6 +252,7 @@ export class Viewport {
   }
 
   private render(): void {
+    this.clip();
     for (const listener of this.onRender) listener();
     this.renderer.render(this.scene, this.camera);
   }
@@ -211,4 +266,8 @@ export class Viewport {
     if (t >= 1) this.flight = null;
     this.invalidate();
   }
+}
+
+function halfTangent(degrees: number): number {
+  return Math.tan(THREE.MathUtils.degToRad(degrees / 2));
 }

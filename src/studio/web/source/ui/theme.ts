@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 export type ThemeName = "dark" | "light";
 
-export function startTheme(changed: (theme: ThemeName) => void): () => void {
+export interface Theme {
+  toggle(): void;
+  set(theme: ThemeName): void;
+}
+
+export function startTheme(changed: (theme: ThemeName) => void): Theme {
   const apply = (theme: ThemeName): void => {
     document.documentElement.dataset.theme = theme;
     remember(theme);
@@ -11,7 +16,8 @@ export function startTheme(changed: (theme: ThemeName) => void): () => void {
   const preferred = matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark";
   let theme: ThemeName = kept === "light" || kept === "dark" ? kept : preferred;
   apply(theme);
-  return () => apply((theme = theme === "dark" ? "light" : "dark"));
+  const set = (next: ThemeName): void => apply((theme = next));
+  return { set, toggle: () => set(theme === "dark" ? "light" : "dark") };
 }
 
 // A file that is opened from disk may have no storage.
