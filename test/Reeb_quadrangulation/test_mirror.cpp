@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact mirrors: planes, halves, doubled quads, and the check of them.
-#include "tiny_surfaces.h"
+#include "random_edits.h"
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/mirror_check.h>
+#include <CGAL/Reeb_quadrangulation/pole_fans.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 #include <random>
@@ -11,6 +12,12 @@
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
+
+const Certificate_options only_topology = [] {
+  Certificate_options options;
+  options.measure_shape = options.find_self_intersections = false;
+  return options;
+}();
 
 const Mirror_plane across_x{Point(0, 0, 0), Eigen::Vector3d(1, 0, 0)};
 
@@ -317,6 +324,42 @@ TEST_CASE("a quad with two neighbouring edges on the plane does not become a ver
   const Certificate certificate = certify({ringed->whole.quads.mesh, &block});
   CHECK(certificate.check("all_quads").status == Check_status::passed);
   CHECK(certificate.interior_valences == std::map<int, int>{{3, 8}, {4, 4}});
+}
+
+TEST_CASE("after every edit of a half, the quads of both sides equal their mirror image and are a surface") {
+  const Triangle_surface torus = tiny::torus(24, 14);
+  const auto half = halve_surface(torus, across_x);
+  REQUIRE(bool(half));
+  const Surface_projector whole(torus);
+  tiny::Random random(5);
+  Editor_options options;
+  options.quads = 120;
+  options.prepare = false;
+  Result<Editor> editor = Editor::create(half->surface, options);
+  REQUIRE(bool(editor));
+  REQUIRE(bool(editor->apply(Suggest{0.05, {0, 0, 1}})));
+  int applied = 0;
+  Finish_options finish;
+  finish.relaxation.iterations = 2;
+  finish.relaxation.untangle = false;
+  for (int i = 0; i < 120; ++i) {
+    const Edit edit = random_edits::Generator(*editor, random).next();
+    if (!editor->apply(edit)) continue;
+    ++applied;
+    INFO("edit " << i << ": " << to_json(edit));
+    Result<Finished_design> quads = editor->finished_quads(finish);
+    REQUIRE(bool(quads));
+    if (!pole_fans(editor->design(), quads->quads).empty()) continue; // not all-quad, and told apart
+    const auto both = mirror_design(std::move(*quads), *half, whole, Mirror_positions::exact, finish);
+    INFO((both ? std::string() : both.error().message));
+    REQUIRE(bool(both));
+    const Stitched_mesh& all = both->whole.quads;
+    CHECK(check_mirror(all.mesh, half->plane, both->image).is_exact);
+    const Certificate certificate = certify({all.mesh, &torus, all.valences, all.components}, only_topology);
+    INFO(to_text(certificate));
+    CHECK(certificate.passed);
+  }
+  CHECK(applied > 30);
 }
 
 TEST_CASE("a recipe keeps its mirror, and refuses one without a normal") {

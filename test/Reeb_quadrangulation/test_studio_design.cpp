@@ -463,6 +463,14 @@ TEST_CASE("a followed recipe makes the quads of its replay, with its options, an
   REQUIRE(!refused);
   CHECK(refused.error().message.find("step 2 of 2") != std::string::npos);
   CHECK(next.revision() == revision);
+
+  // Half of a mesh is not shown for the whole.
+  recipe.edits.pop_back();
+  recipe.mirror.emplace();
+  const Result<void> half = next.open_recipe("half.recipe.json", to_json(recipe), silent);
+  REQUIRE(!half);
+  CHECK(half.error().message.find("one half of a mirrored mesh") != std::string::npos);
+  CHECK(next.revision() == revision);
 }
 
 TEST_CASE("a drag that ends where nothing can be, or is cancelled, leaves no trace") {

@@ -4,7 +4,10 @@
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
 
+#include <CGAL/Reeb_quadrangulation/design_energy.h>
+
 #include <algorithm>
+#include <limits>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -53,6 +56,51 @@ Finished_design finished_of(Quadrangulation& result) {
   return design;
 }
 
+// Of several planes that are tried, designs are made that nobody sees.
+constexpr int most_planes = 3;
+
+constexpr int energy_samples = 4000;
+
+// What the design of a half would cost; infinite where there is none.
+double energy_of(const Triangle_surface& surface, const Mirror_plane& plane,
+                 const Quadrangulation_options& options, Observer& observer) {
+  const Result<Surface_half> half = halve_surface(surface, plane);
+  if (!half) return std::numeric_limits<double>::infinity();
+  const Quadrangulation_options asked = half_options(options, half->plane);
+  Result<Recipe> recipe = automatic_recipe(asked);
+  if (!recipe) return std::numeric_limits<double>::infinity();
+  Result<Editor> editor = Editor::create(half->surface, recipe->options, &observer);
+  if (!editor || !editor->apply(recipe->edits[0], &observer)) return std::numeric_limits<double>::infinity();
+  return design_energy(editor->quads(), Surface_projector(half->surface),
+                       sample_surface(half->surface, energy_samples))
+      .total(options.energy);
+}
+
+// The plane that is asked for; of the best ones across axes, or of the others if there is none, that with the
+// least design energy.
+Result<Found_mirror> chosen_mirror(const Surface_projector& whole, const Quadrangulation_options& options,
+                                   Observer& observer) {
+  const Mirror_request& request = *options.mirror;
+  if (request.choice != Mirror_choice::best) return choose_mirror(whole, request, &observer);
+  std::vector<Found_mirror> found = find_mirror_planes(whole, request.tolerance, &observer);
+  if (found.size() < 2) return choose_mirror(whole, request, &observer);
+  const bool has_axis = found.front().plane.axis() >= 0;
+  double best = std::numeric_limits<double>::infinity();
+  Mirror_request given = request;
+  given.choice = Mirror_choice::given;
+  given.plane = found.front().plane;
+  int tried = 0;
+  for (const Found_mirror& mirror : found) {
+    if ((mirror.plane.axis() >= 0) != has_axis || tried++ == most_planes) continue;
+    const double energy = energy_of(whole.surface(), mirror.plane, options, observer);
+    if (observer.cancelled()) return make_error(Error_code::cancelled, "the search of mirrors was cancelled");
+    if (energy >= best) continue;
+    best = energy;
+    given.plane = mirror.plane;
+  }
+  return choose_mirror(whole, given, &observer);
+}
+
 } // namespace
 
 Result<Quadrangulation> quadrangulate_mirrored(const Triangle_surface& surface,
@@ -65,7 +113,7 @@ Result<Quadrangulation> quadrangulate_mirrored(const Triangle_surface& surface,
   Stage_recorder recorder(observer, {"mirror planes", "mirror"});
   recorder.progress("mirror planes", 0);
   const Surface_projector whole(surface);
-  const Result<Found_mirror> found = choose_mirror(whole, *options.mirror, &recorder);
+  const Result<Found_mirror> found = chosen_mirror(whole, options, recorder);
   if (!found) return found.error();
   const Result<Surface_half> half = halve_surface(surface, found->plane);
   if (!half) return half.error();

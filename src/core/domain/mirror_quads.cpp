@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -17,6 +18,13 @@ using internal::target;
 
 // By the diagonal: boundary vertices lie on the cut's polyline up to rounding.
 constexpr double on_the_plane = 1e-7;
+
+// In lengths of the edges around it: a vertex nearer to the plane than the first is brought at least as far
+// from it as the second.
+constexpr double too_near = 1e-3, lifted = 0.03;
+
+// A scaled Jacobian below which a projected quad is mended.
+constexpr double poor_image = 0.2;
 
 // How far the ring along the plane reaches into the quads, in lengths of their edges.
 constexpr double ring_width = 1.0 / 3;
@@ -111,6 +119,9 @@ public:
       if (a && b && !m_is_plane_edge[std::size_t(h)]) return true;
       if (m_is_plane_edge[std::size_t(h)] && m_is_plane_edge[std::size_t(internal::next(h))]) return true;
     }
+    for (const Quad& q : quads())
+      for (std::size_t i = 0; i < 2; ++i)
+        if (m_is_on_plane[std::size_t(q[i])] && m_is_on_plane[std::size_t(q[i + 2])]) return true;
     return false;
   }
 
@@ -161,6 +172,27 @@ public:
     return {};
   }
 
+  /// Relaxation may leave a vertex on the border of the half that belongs inside, where it would meet its
+  /// image: it gets the place beside the plane where its worst quad is best. With all of them on one side,
+  /// two quads of different sides meet in the plane only.
+  void lift() {
+    std::vector<std::vector<int>> quads_at(mesh().points.size());
+    std::vector<double> size(mesh().points.size(), 0);
+    for (int h = 0; h < 4 * int(quads().size()); ++h) {
+      const std::size_t v = std::size_t(source(quads(), h));
+      quads_at[v].push_back(internal::quad_of(h));
+      size[v] += (point(target(quads(), h)) - mesh().points[v]).norm();
+    }
+    std::optional<Surface_projector> projector;
+    for (std::size_t v = 0; v < size.size(); ++v) {
+      if (m_is_on_plane[v] || quads_at[v].empty()) continue;
+      size[v] /= double(quads_at[v].size());
+      if (m_half.plane.signed_distance(mesh().points[v]) > too_near * size[v]) continue;
+      if (!projector) projector.emplace(m_half.surface);
+      lift(v, size[v], quads_at[v], *projector);
+    }
+  }
+
   /// The quads and their images. \pre `find_plane()`, and not `needs_ring()`
   Mirrored_design doubled(int ring_quads) {
     Mirrored_design result;
@@ -207,6 +239,37 @@ private:
     m_boundary.clear();
     for (int h = 0; h < int(m_opposite.size()); ++h)
       if (m_opposite[std::size_t(h)] < 0) m_boundary.push_back(h);
+  }
+
+  double worst_of(const std::vector<int>& list) const {
+    double worst = 1;
+    for (const int q : list) {
+      const Quad& c = quads()[std::size_t(q)];
+      const std::vector<Point>& p = mesh().points;
+      worst = std::min(worst, scaled_jacobian(p[std::size_t(c[0])], p[std::size_t(c[1])],
+                                              p[std::size_t(c[2])], p[std::size_t(c[3])]));
+    }
+    return worst;
+  }
+
+  void lift(std::size_t v, double size, const std::vector<int>& around, const Surface_projector& projector) {
+    const Point from = mesh().points[v], n = m_half.plane.normal;
+    const Point side = n.unitOrthogonal(), other = n.cross(side);
+    Point best = from;
+    double best_quality = -std::numeric_limits<double>::infinity();
+    for (const double up : {0.05, 0.1, 0.2, 0.4, 0.8})
+      for (int i = 0; i <= 16; ++i) {
+        const double angle = i * std::acos(-1.0) / 4, way = i == 16 ? 0 : i < 8 ? 0.25 : 0.6;
+        const Point target =
+            from + size * (up * n + way * (std::cos(angle) * side + std::sin(angle) * other));
+        mesh().points[v] = projector.closest(target).point;
+        if (m_half.plane.signed_distance(mesh().points[v]) < lifted * size) continue;
+        const double quality = worst_of(around);
+        if (quality <= best_quality) continue;
+        best_quality = quality;
+        best = mesh().points[v];
+      }
+    mesh().points[v] = best;
   }
 
   // Of a boundary halfedge the one that follows it around the mesh.
@@ -313,18 +376,37 @@ private:
   std::vector<char> m_is_on_plane, m_is_plane_edge;
 };
 
-// Moves images by as much as the surface there differs from the image of the surface here: a vertex that has left the surface stays off.
-void project(Mirrored_design& design, const Mirror_plane& plane, const Surface_projector& whole,
-             double diagonal) {
-  std::vector<Point>& points = design.whole.quads.mesh.points;
+// Moves images by as much as the surface there differs from the image of the surface here: a vertex that has
+// left the surface stays off. What that inverts is mended, by moves of the images alone.
+Result<void> project(Mirrored_design& design, const Mirror_plane& plane, const Surface_projector& whole,
+                     double diagonal, const Finish_options& options, Observer* observer) {
+  Quad_mesh& mesh = design.whole.quads.mesh;
+  const std::vector<Point> reflected = mesh.points;
+  std::vector<char> fixed(mesh.points.size(), 1);
   for (std::size_t v = 0; v < design.image.size(); ++v) {
     const std::size_t w = std::size_t(design.image[v]);
     if (w <= v) continue;
-    const Point foot = plane.reflected(whole.closest(points[v]).point);
-    const Point shift = whole.closest(foot).point - foot;
-    points[w] += shift;
-    design.largest_shift = std::max(design.largest_shift, shift.norm() / diagonal);
+    fixed[w] = 0;
+    const Point foot = plane.reflected(whole.closest(mesh.points[v]).point);
+    mesh.points[w] += whole.closest(foot).point - foot;
   }
+  const bool is_worse = std::any_of(mesh.quads.begin(), mesh.quads.end(), [&](const Quad& q) {
+    const auto quality = [&](const std::vector<Point>& p) {
+      return scaled_jacobian(p[std::size_t(q[0])], p[std::size_t(q[1])], p[std::size_t(q[2])],
+                             p[std::size_t(q[3])]);
+    };
+    return quality(mesh.points) < poor_image && quality(reflected) >= poor_image;
+  });
+  if (is_worse && options.relax) {
+    Relax_options mending = options.relaxation;
+    mending.iterations = mending.more_iterations = 0;
+    mending.wanted = std::min(mending.wanted, poor_image);
+    Result<Relax_report> mended = relax_quads(mesh, whole, Vertex_constraints(fixed), mending, observer);
+    if (!mended) return mended.error();
+  }
+  for (std::size_t v = 0; v < reflected.size(); ++v)
+    design.largest_shift = std::max(design.largest_shift, (mesh.points[v] - reflected[v]).norm() / diagonal);
+  return {};
 }
 
 } // namespace
@@ -345,8 +427,11 @@ Result<Mirrored_design> mirror_design(Finished_design half_design, const Surface
     if (Result<void> finished = weld.finish(options, observer); !finished) return finished.error();
     if (Result<void> found = weld.find_plane(); !found) return found.error();
   }
+  weld.lift();
   Mirrored_design result = weld.doubled(ring_quads);
-  if (positions == Mirror_positions::projected) project(result, half.plane, whole, diagonal);
+  if (positions != Mirror_positions::projected) return result;
+  if (Result<void> done = project(result, half.plane, whole, diagonal, options, observer); !done)
+    return done.error();
   return result;
 }
 

@@ -18,7 +18,10 @@ constexpr int most_vertices = 20000, area_points = 2000, refining_points = 600;
 constexpr int most_rounds = 60;
 
 // As fractions of the diagonal: planes whose mean deviations differ by less are equally good.
-constexpr double as_good = 1e-4, rounding = 1e-9;
+constexpr double as_good = 1e-4, rounding = 1e-6;
+
+// What 0 and the middle of the box are worth as places of a plane, in parts of the mean deviation.
+constexpr double worth_of_middle = 0.9;
 
 struct Shape {
   Point low = Point::Zero(), high = Point::Zero(), centroid = Point::Zero();
@@ -81,7 +84,8 @@ public:
 
   const Shape& shape() const { return m_shape; }
 
-  // Across an axis of coordinates, at the best place that leaves two halves: through 0 or the middle of the box if that is as good.
+  // Across an axis of coordinates, at the best place that leaves two halves: through 0 or the middle of the
+  // box if that is as good.
   Mirror_plane across(int axis) const {
     Mirror_plane plane{m_shape.centroid, Eigen::Vector3d::Unit(axis)};
     refine(plane, false);
@@ -92,7 +96,7 @@ public:
       Mirror_plane other = plane;
       other.point[axis] = c;
       const double mean = mean_of(other);
-      places.emplace_back(c == plane.point[axis] ? mean : 0.98 * mean - rounding, c);
+      places.emplace_back(c == plane.point[axis] ? mean : worth_of_middle * mean - rounding, c);
     }
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& p, const auto& q) { return p.first < q.first; });
@@ -138,7 +142,8 @@ private:
     return {0.5 * (mean_p + mean_q), normal.dot(plane.normal) < 0 ? Eigen::Vector3d(-normal) : normal};
   }
 
-  // A step of Newton's method: partners may slide in the planes of their faces. Only along the normal, unless the plane may turn.
+  // A step of Newton's method: partners may slide in the planes of their faces. Only along the normal, unless
+  // the plane may turn.
   Mirror_plane slid(const Mirror_plane& plane, bool turn) const {
     const Eigen::Vector3d &n = plane.normal, side = n.unitOrthogonal(), other = n.cross(side);
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();

@@ -178,7 +178,8 @@ private:
     return s.connect();
   }
 
-  // Boundary edges that the cut has made; an edge that was boundary before and lies on the plane has no other side to be glued to.
+  // Boundary edges that the cut has made; an edge that was boundary before and lies on the plane has no other
+  // side to be glued to.
   void find_arcs() {
     const Triangle_surface& s = m_half.surface;
     std::vector<std::array<Point, 2>> own;

@@ -293,8 +293,10 @@ Result<void> Session::open_recipe(const std::string& name, const std::string& te
                                                           ", which this mesh has not");
   Part& part = *m_parts[wanted];
   if (recipe->mirror)
-    return make_error(Error_code::impossible_request,
-                      name + " designs one half of a mirror, which the studio cannot: reebquad replay can");
+    return make_error(
+        Error_code::impossible_request,
+        name + " designs one half of a mirrored mesh, which the studio would show alone: `reebquad "
+               "replay` makes both of it");
   if (recipe->fill_holes > 0 && part.facts()["boundary_loops"] != 0)
     return make_error(Error_code::impossible_request,
                       name + " fills the holes of the mesh first: open the mesh with its holes filled");
