@@ -81,7 +81,8 @@ void declare(Command_line& line) {
       ("persistence", value<double>("P")->default_value(default_persistence),
        "how prominent a protrusion must be to get an extremum, 0 to 1")                                 //
       ("threads", value<int>("N")->default_value(0), "how many threads; 0: as many as the machine has") //
-      ("align", "bring extraordinary vertices in line: fewer patches of the base complex")              //
+      ("align", "bring extraordinary vertices in line, where quads keep their shape: the default")      //
+      ("no-align", "leave extraordinary vertices where they are: many patches in the base complex")     //
       ("mirror", value<std::string>("PLANE")->default_value("none"),
        "mesh one half of a symmetric shape and reflect it: auto, x, y, z (across that axis; =-x keeps the "
        "other half), PX,PY,PZ,NX,NY,NZ or none") //
@@ -143,7 +144,9 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");
   pipeline.suggestion.persistence = in_range(line, "persistence", 0.0, 1.0);
   pipeline.threads = in_range(line, "threads", 0, 1024);
-  pipeline.align = line.has("align");
+  if (line.has("align") && line.has("no-align"))
+    throw Usage_error("--align and --no-align exclude each other");
+  pipeline.align = !line.has("no-align");
   pipeline.mirror = mirror_request(line.text("mirror"));
   const auto positions = choice<Mirror_positions>(
       "--mirror-positions", line.text("mirror-positions"),

@@ -5,6 +5,7 @@
 #include "design/layout_lines.h"
 
 #include <CGAL/Reeb_quadrangulation/base_domain.h>
+#include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 
 using namespace CGAL::Reeb_quadrangulation;
 using namespace sessions;
@@ -56,6 +57,25 @@ Editor out_of_line(const std::string& name) {
     if (chart->chart->kind == Chart_kind::annulus) annuli.push_back(inside(editor, *chart));
   for (std::size_t i = 0; i < annuli.size(); ++i) REQUIRE(editor.apply(Set_shift{annuli[i], 1 + int(i) % 2}));
   return editor;
+}
+
+Quadrangulation run_on(const Triangle_surface& surface, Effort effort, bool align, int threads = 1) {
+  Quadrangulation_options options;
+  options.quads = 800;
+  options.effort = effort;
+  options.align = align;
+  options.threads = threads;
+  Result<Quadrangulation> made = quadrangulate(surface, options);
+  REQUIRE(bool(made));
+  return std::move(*made);
+}
+
+// What a run compares, told anew from the quads: the shapes after three sweeps, and the patches.
+double worth(const Quadrangulation& run) {
+  const Energy_weights weights;
+  const Surface_projector projector(run.editor.working_surface());
+  return design_energy(run.editor.quads(), projector, Surface_samples()).total(weights) +
+         weights.patches * std::log(double(patches_of_quads(run.editor)));
 }
 
 } // namespace
@@ -181,6 +201,59 @@ TEST_CASE("a polychord through all charts closes sooner once the extraordinary v
   edit.tries = 5000;
   REQUIRE(editor.apply(edit));
   CHECK(quads_of_chords(editor) < before);
+}
+
+TEST_CASE("an automatic run ends with an alignment, which never makes a design worth less") {
+  int aligned = 0;
+  for (const char* name : {"torus", "bitorus", "genus-3"}) {
+    INFO(name);
+    const Triangle_surface surface = shape(name, 3000);
+    const Quadrangulation with = run_on(surface, Effort::fast, true);
+    const Quadrangulation without = run_on(surface, Effort::fast, false);
+    CHECK(without.recipe.edits.size() == 1);
+    CHECK(without.base_patches[0] == 0);
+    CHECK(with.base_patches[0] == patches_of_quads(without.editor));
+    CHECK(with.base_patches[1] == patches_of_quads(with.editor));
+    CHECK(with.base_patches[1] <= with.base_patches[0]);
+    CHECK(worth(with) <= worth(without) + 1e-12);
+    CHECK(with.valences == without.valences);
+    const bool has_edit = std::holds_alternative<Align_layout>(with.recipe.edits.back());
+    CHECK(has_edit == (with.base_patches[1] < with.base_patches[0]));
+    CHECK(!with.editor.can_redo());
+    aligned += has_edit;
+  }
+  CHECK(aligned > 0);
+}
+
+TEST_CASE("a run with an alignment has the bytes of its recipe, on any number of threads, and says what it "
+          "gained") {
+  const Triangle_surface surface = shape("genus-3", 3000);
+  const Quadrangulation one = run_on(surface, Effort::normal, true, 1);
+  const Quadrangulation two = run_on(surface, Effort::normal, true, 2);
+  REQUIRE(std::holds_alternative<Align_layout>(one.recipe.edits.back()));
+  REQUIRE(!one.search.empty());
+  CHECK(one.search.back().reason.find("patches of the base complex from " +
+                                      std::to_string(one.base_patches[0])) != std::string::npos);
+  CHECK(one.mesh.points == two.mesh.points);
+  Result<Editor> editor = Editor::create(surface, one.recipe.options);
+  REQUIRE(bool(editor));
+  for (const Edit& edit : one.recipe.edits) REQUIRE(bool(editor->apply(edit)));
+  const Result<Finished_design> replayed = editor->finished_quads(one.recipe.finish);
+  REQUIRE(bool(replayed));
+  CHECK(replayed->quads.mesh.points == one.mesh.points);
+  CHECK(replayed->quads.mesh.quads == one.mesh.quads);
+}
+
+TEST_CASE("what was undone can be forgotten") {
+  Editor editor = suggested("torus");
+  const Charts before = charts_of(editor);
+  REQUIRE(editor.apply(Set_target{700, 0}));
+  editor.undo();
+  REQUIRE(editor.can_redo());
+  editor.forget_undone();
+  CHECK(!editor.can_redo());
+  CHECK(int(editor.edits().size()) == editor.position());
+  CHECK(charts_of(editor) == before);
 }
 
 TEST_CASE("an alignment demands a strength, a factor and tries that make sense") {

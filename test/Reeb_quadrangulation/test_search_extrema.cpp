@@ -83,7 +83,8 @@ TEST_CASE("a run with effort keeps the horn, certified, and its recipe gives the
           "threads") {
   const Triangle_surface surface = horned_sphere(8000);
   const Quadrangulation fast = made(surface, Effort::fast), normal = made(surface, Effort::normal, 1);
-  CHECK(fast.search.empty());
+  for (const Search_step& step : fast.search) // of the alignment
+    CHECK(step.reason.find("extraordinary vertices in line") == 0);
   CHECK(!normal.search.empty());
   CHECK(farthest_from(normal, surface) < 0.5 * farthest_from(fast, surface));
   CHECK(certify({normal.mesh, &surface, normal.valences}).passed);

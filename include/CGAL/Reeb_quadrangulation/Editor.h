@@ -56,6 +56,8 @@ public:
   bool can_redo() const;
   Edit_report undo(); ///< \pre `can_undo()`
   Edit_report redo(); ///< \pre `can_redo()`
+  /// What was undone cannot be redone. \post not `can_redo()`
+  void forget_undone();
 
   /// The edits that lead to the present design, then those that can be redone.
   const std::vector<Edit>& edits() const;

@@ -18,6 +18,7 @@ struct Energy_weights {
   double angle = 0.5;
   double size = 0;
   double vertices = 0.0006;
+  double patches = 0.0005; ///< of the logarithm of the base complex's patches, where layouts are brought in line
   double features =
       0.15; ///< of the part of the sharp edges that quads cross obliquely, where curves of them are searched
 };

@@ -58,8 +58,8 @@ struct Quadrangulation_options {
   bool prepare = true;
   /// Align the saddles of charts that are thinner than half a quad.
   bool collapse_thin = true;
-  /// Bring extraordinary vertices in line, so that the base complex has few patches; see `Align_layout`.
-  bool align = false;
+  /// Bring extraordinary vertices in line, so that the base complex has few patches, where quads keep their shape; see `Align_layout`.
+  bool align = true;
   /// The weights of a chart's map, and how charts are filled; empty: clamped cotangents, regular grids. Called from
   /// several threads at once.
   std::function<Edge_weights(const Chart&)> chart_weights;
@@ -85,7 +85,7 @@ struct Quadrangulation_options {
 };
 
 /// The recipe of the automatic run that these options ask for before anything is searched: its first edit places the
-/// extrema, suggested or given, its second, if any, brings extraordinary vertices in line.
+/// extrema, suggested or given, its second, if any, brings extraordinary vertices in line. A run leaves the second out where it does not pay.
 /// Fails with `impossible_request`, naming the option, where one is out of range.
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options = {});
 
@@ -111,7 +111,9 @@ struct Quadrangulation {
   /// Patches of the base complex before and after extraordinary vertices were brought in line, as told from the layout; 0 where they were
   /// not. See `base_domain()`.
   std::array<int, 2> base_patches{{0, 0}};
-  std::vector<Search_step> search; ///< what the search has changed, if there was one
+  /// What the search has changed, if there was one, and at last what bringing extraordinary vertices in line has; the energy of that
+  /// step is the one before less what was gained.
+  std::vector<Search_step> search;
   std::vector<Stage_time> stages;
   std::optional<Mirror_report> mirror{}; ///< if one was asked for
 };

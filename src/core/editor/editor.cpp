@@ -216,6 +216,12 @@ Edit_report Editor::redo() {
   return differences(*m.states[m.position - 1], *m.states[m.position]);
 }
 
+void Editor::forget_undone() {
+  Implementation& m = *m_implementation;
+  m.states.resize(std::size_t(m.position) + 1);
+  m.edits.resize(std::size_t(m.position));
+}
+
 const std::vector<Edit>& Editor::edits() const {
   return m_implementation->edits;
 }

@@ -29,14 +29,12 @@ constexpr double quads_kept = 0.02;
 // What the search accepts at its start though it is worse, in the unit of what a base complex e times as large costs.
 constexpr double first_temperature = 0.6;
 
-double length_of(const Chart& chart, const Walk& walk) {
-  double sum = 0;
-  for (std::size_t i = 0; i < walk.vertices.size(); ++i)
-    sum += (chart.mesh.points[walk.vertices[(i + 1) % walk.vertices.size()]] -
-            chart.mesh.points[walk.vertices[i]])
-               .norm();
-  return sum;
-}
+// What an angle between columns and rows costs beside the scaled Jacobian, per radian that it differs from a right one: the Jacobian hardly
+// feels a little lean, and eyes do.
+constexpr double price_of_angles = 0.25;
+
+// Triangles of a chart that its price is told from, at most about.
+constexpr int most_triangles = 500;
 
 // The best turn of an annulus for any counts: it is linear in them, but for the division by the columns. See `best_turn()`.
 class Turn_of_counts {
@@ -84,6 +82,70 @@ private:
   std::array<double, 2> m_natural{{0, 0}};
 };
 
+// How much quads of an annulus lean when its columns do: told from its map, triangle by triangle. The angle between columns and rows does not
+// depend on how many there are.
+class Leaning {
+public:
+  Leaning(const Design_chart& chart) : m_step(0.5 / double(chart.grid[0])) {
+    const Chart& c = *chart.chart;
+    const int faces = c.mesh.number_of_faces(), stride = faces / most_triangles + 1;
+    double whole = 0;
+    for (int f = 0; f < faces; f += stride) {
+      const Part part = part_of(c, *chart.map, f);
+      if (part.weight <= 0) continue;
+      m_parts.push_back(part);
+      whole += part.weight;
+    }
+    for (Part& part : m_parts) part.weight /= whole;
+    m_costs.assign(2 * std::size_t(chart.grid[0]) + 3, -1);
+  }
+
+  // The mean cost of a quad where the HIGH walk is turned by such a part of the way around from where it is.
+  double at(double turn) {
+    const double last = double(m_costs.size() - 1);
+    const double place = std::clamp(turn / m_step + 0.5 * last, 0.0, last);
+    const std::size_t i = std::min(m_costs.size() - 2, std::size_t(place));
+    const double part = place - double(i);
+    return (1 - part) * entry(i) + part * entry(i + 1);
+  }
+
+private:
+  struct Part {
+    double lean, slope, weight; // slope: of a column that is turned by the whole way around
+  };
+
+  static Part part_of(const Chart& c, const Chart_parameterization& map, int f) {
+    const Triangle& t = c.mesh.triangles[f];
+    const double v1 = map.v()[t[1]] + map.jump(3 * f) - map.v()[t[0]];
+    const double v2 = map.v()[t[2]] - map.jump(3 * f + 2) - map.v()[t[0]];
+    const double u1 = map.u()[t[1]] - map.u()[t[0]], u2 = map.u()[t[2]] - map.u()[t[0]];
+    const double area = v1 * u2 - v2 * u1;
+    if (!(area > 0)) return {0, 0, 0};
+    const Point e1 = c.mesh.points[t[1]] - c.mesh.points[t[0]];
+    const Point e2 = c.mesh.points[t[2]] - c.mesh.points[t[0]];
+    const Point along_v = (u2 * e1 - u1 * e2) / area, along_u = (v1 * e2 - v2 * e1) / area;
+    const double height = along_v.cross(along_u).norm();
+    if (!(height > 0)) return {0, 0, 0};
+    return {along_v.dot(along_u) / height, along_v.squaredNorm() / height, area};
+  }
+
+  double entry(std::size_t i) {
+    if (m_costs[i] >= 0) return m_costs[i];
+    const double turn = (double(i) - 0.5 * double(m_costs.size() - 1)) * m_step;
+    double cost = 0;
+    for (const Part& part : m_parts) {
+      const double lean = part.lean - turn * part.slope;
+      cost +=
+          part.weight * (1 - 1 / std::sqrt(1 + lean * lean) + price_of_angles * std::atan(std::abs(lean)));
+    }
+    return m_costs[i] = cost;
+  }
+
+  double m_step;
+  std::vector<Part> m_parts;
+  std::vector<double> m_costs; // per step; negative: not asked for yet
+};
+
 // What quads lose by turns and counts, as a part of the mean scaled Jacobian.
 class Price {
 public:
@@ -98,7 +160,9 @@ public:
       m_wish[layout.edges[i]] = layout.problem.edges[i].length / m_design.edge_length;
     double whole = 0;
     for (const auto& chart : m_design.charts) whole += area(chart->chart->mesh);
-    for (std::size_t c = 0; c < m_design.charts.size(); ++c) add_chart(*m_design.charts[c], whole);
+    m_quads_at_start = 0;
+    for (const auto& chart : m_design.charts) m_quads_at_start += chart->grid[0] * chart->grid[1];
+    for (std::size_t c = 0; c < m_design.charts.size(); ++c) add_chart(int(c), start, whole);
     m_counts_at_start = counts_cost(start.counts);
     m_quads_at_start = quads(start.counts);
   }
@@ -108,15 +172,10 @@ public:
   }
 
   double of_turn(int chart, const Layout_integers& now) {
-    return m_annulus[chart] >= 0 ? shear(chart, now.turn[chart] - best_turn(chart, now.counts), now.counts)
-                                 : corners(chart, now);
-  }
-
-  // The cost of columns that lean by so many columns.
-  double shear(int chart, double columns, const std::vector<int>& counts) const {
-    const Design_chart& d = *m_design.charts[chart];
-    const double lean = columns * m_girth[chart] / (samples(chart, counts) * d.height);
-    return m_share[chart] * (1 - 1 / std::sqrt(1 + lean * lean));
+    if (m_annulus[chart] < 0) return corners(chart, now);
+    const double turn = (now.turn[chart] - best_turn(chart, now.counts)) / samples(chart, now.counts);
+    Leaning& leaning = m_leaning[m_annulus[chart]];
+    return m_quads[chart] * std::max(0.0, leaning.at(turn - m_turn_at_start[chart]) - leaning.at(0));
   }
 
   double of_counts(const std::vector<int>& counts) const {
@@ -127,21 +186,24 @@ public:
   }
 
 private:
-  void add_chart(const Design_chart& chart, double whole) {
+  void add_chart(int c, const Layout_integers& start, double whole) {
+    const Design_chart& chart = *m_design.charts[c];
     const bool annulus = chart.chart->kind == Chart_kind::annulus;
     m_share.push_back(area(chart.chart->mesh) / whole);
+    m_quads.push_back(chart.grid[0] * chart.grid[1] / m_quads_at_start);
     m_annulus.push_back(annulus ? int(m_turns.size()) : -1);
-    if (annulus) m_turns.emplace_back(*chart.chart, m_design.samples, *chart.map);
-    double girth = 0;
+    m_turn_at_start.push_back(0);
+    if (annulus) {
+      m_turns.emplace_back(*chart.chart, m_design.samples, *chart.map);
+      m_leaning.emplace_back(chart);
+      m_turn_at_start[c] = (start.turn[c] - best_turn(c, start.counts)) / samples(c, start.counts);
+    }
     for (const Walk& walk : chart.chart->walks) {
-      const double around = length_of(*chart.chart, walk);
-      girth += around / double(chart.chart->walks.size());
       double wishes = 0;
       for (const Walk_edge& e : walk.edges) wishes += m_wish[e.edge];
       for (const Walk_edge& e : walk.edges)
         m_weight[e.edge] += m_share.back() / double(chart.chart->walks.size()) * m_wish[e.edge] / wishes;
     }
-    m_girth.push_back(girth);
     m_corners.emplace_back();
   }
 
@@ -184,9 +246,11 @@ private:
 
   const Design& m_design;
   std::vector<double> m_wish, m_weight; // per contour edge
-  std::vector<double> m_share, m_girth; // per chart
+  std::vector<double> m_share, m_quads; // per chart: its part of the area, and of the quads
+  std::vector<double> m_turn_at_start;  // per chart: beyond the best turn, as a part of the way around
   std::vector<int> m_annulus;           // per chart: which of the turns, or -1
   std::vector<Turn_of_counts> m_turns;
+  std::vector<Leaning> m_leaning;
   std::vector<std::map<std::vector<int>, std::vector<double>>>
       m_corners; // per chart, by the counts around it
   double m_counts_at_start = 0, m_quads_at_start = 0;
@@ -290,6 +354,7 @@ public:
     }
     if (edit.counts > 1) m_cycles = Cycles(draft, lines).all();
     m_energy = m_best_energy = energy();
+    m_patches = m_tried_patches;
   }
 
   Layout_integers run() {
@@ -332,7 +397,8 @@ private:
     ++m_tries;
     double price = m_price.of_counts(m_now.counts);
     for (double turn : m_turn_prices) price += turn;
-    return m_edit.strength * std::log(double(m_lines.patches())) + price;
+    m_tried_patches = double(m_lines.patches());
+    return m_edit.strength * std::log(m_tried_patches) + price;
   }
 
   // Keeps the present layout if it is good enough.
@@ -341,6 +407,7 @@ private:
     const double worse = tried - m_energy;
     if (worse >= 0 && (m_temperature <= 0 || real() >= std::exp(-worse / m_temperature))) return false;
     m_energy = tried;
+    m_patches = m_tried_patches;
     if (m_energy < m_best_energy - 1e-12) {
       m_best_energy = m_energy;
       m_best = m_now;
@@ -356,28 +423,31 @@ private:
 
   bool try_turn(int chart, int by) {
     const int before = m_now.turn[chart];
+    const double price = m_turn_prices[chart];
     turn(chart, before + by);
-    if (m_turn_prices[chart] <= most_price() && accept()) return true;
+    if (m_turn_prices[chart] - price <= most_price() && accept()) return true;
     turn(chart, before);
     return false;
   }
 
   // Dearer turns could not pay if one patch were left.
-  double most_price() const { return m_energy; }
+  double most_price() const { return m_edit.strength * std::log(m_patches) + 3 * m_temperature; }
 
   void restore(const Layout_integers& layout) {
     m_now = layout;
     m_lines.set(layout);
     for (int c = 0; c < m_lines.number_of_charts(); ++c) m_turn_prices[c] = m_price.of_turn(c, m_now);
     m_energy = energy();
+    m_patches = m_tried_patches;
   }
 
   // Two annuli that are turned against each other leave what lies beyond in line.
   bool try_two_turns(int first, int second, int by) {
     const int before = m_now.turn[first], other = m_now.turn[second];
+    const double price = m_turn_prices[first] + m_turn_prices[second];
     turn(first, before + by);
     turn(second, other - by);
-    if (m_turn_prices[first] + m_turn_prices[second] <= most_price() && accept()) return true;
+    if (m_turn_prices[first] + m_turn_prices[second] - price <= most_price() && accept()) return true;
     turn(first, before);
     turn(second, other);
     return false;
@@ -452,6 +522,7 @@ private:
   std::vector<Cycle> m_cycles;
   std::vector<double> m_turn_prices; // per chart
   double m_energy = 0, m_best_energy = 0, m_temperature = 0;
+  double m_patches = 1, m_tried_patches = 1;
   int m_tries = 0;
   shapes::Random_sequence m_random;
 };
@@ -476,7 +547,7 @@ Result<void> apply_edit(Draft& draft, const Align_layout& edit) {
   if (!lines) return refuse("the textures of the charts are not all regular", "reset them first");
   const Layout_integers start = lines->integers();
   const Layout_integers best = Alignment(draft, *lines, edit).run();
-  if (best.counts != start.counts) draft.counts = best.counts;
+  draft.counts = best.counts; // also where they stay: sampled anew, others might do as well
   const Contour_samples samples{best.counts, before.samples.parameter};
   for (int c = 0; c < lines->number_of_charts(); ++c) {
     const Design_chart& chart = *before.charts[c];
