@@ -71,6 +71,7 @@
 #include <CGAL/Reeb_quadrangulation/fit_texture.h>
 #include <CGAL/Reeb_quadrangulation/given_features.h>
 #include <CGAL/Reeb_quadrangulation/halve_surface.h>
+#include <CGAL/Reeb_quadrangulation/kept_features.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/layout_sampling.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>

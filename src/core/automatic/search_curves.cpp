@@ -197,7 +197,7 @@ public:
 
   Result<Searched_curves> run(const Edit& first) {
     if (m_candidates.size() == 0) return std::move(m_found);
-    m_found.has_faces = m_candidates.size() > 1;
+    m_found.has_faces = true;
     m_samples = sample_surface(
         m_surface, int(std::min(2e5, samples_per_quad * area(m_surface) / (m_edge * m_edge) + 1000)));
     Result<std::optional<Tried>> start = attempt(first);

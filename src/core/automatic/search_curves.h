@@ -17,8 +17,7 @@ struct Searched_curves {
   std::optional<Set_extrema> edit; ///< none: no curve lowers the energy
   std::vector<Search_step> steps;
   int tries = 0;
-  bool has_faces =
-      false; ///< whether there are two lines at least that could be tried: the shape has faces and edges
+  bool has_faces = false; ///< whether there is a line that could be tried: the shape has faces and edges
 };
 
 /// Searches sharp curves whose design keeps the sharp edges, beginning with the design of `first`: rings on all closed lines without a

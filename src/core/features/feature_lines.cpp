@@ -16,6 +16,12 @@ namespace internal {
 
 namespace {
 
+// A line is cut so often at most where it makes quads too bad.
+constexpr int most_cuts = 12;
+
+// Vertices give way that are so many edges away, for each edge that a line may be moved.
+constexpr double rings_per_reach = 4;
+
 // A straight line of edges along a part of a curve. Arc lengths ascend; on closed curves they may leave [0, length).
 struct Line {
   int curve = -1;
@@ -33,11 +39,13 @@ struct Line {
 class Lines {
 public:
   Lines(Quad_mesh& mesh, const Surface_projector& projector, const std::vector<Surface_curve>& curves,
-        const Snap_options& options, std::vector<char>& held, std::vector<Vertex_constraints::Place>& places)
-      : m_mesh(mesh), m_projector(projector), m_curves(curves), m_options(options), m_held(held),
-        m_places(places), m_outgoing(mesh.points.size(), -1), m_valence(mesh.points.size(), 0),
+        const Snap_options& options, double worst, std::vector<char>& held,
+        std::vector<Vertex_constraints::Place>& places)
+      : m_mesh(mesh), m_projector(projector), m_curves(curves), m_options(options), m_worst(worst),
+        m_held(held), m_places(places), m_outgoing(mesh.points.size(), -1), m_valence(mesh.points.size(), 0),
         m_edge(mesh.points.size(), 0), m_boundary(mesh.points.size(), 0), m_ends(curves.size(), {-1, -1}),
-        m_taken(curves.size()), m_index(mesh.points.size(), -1) {
+        m_taken(curves.size()), m_index(mesh.points.size(), -1),
+        m_rings(std::max(4, int(std::lround(rings_per_reach * options.line_reach)))) {
     connect_quads(mesh.quads, int(mesh.points.size()), m_opposite);
     for (int h = 0; h < int(m_opposite.size()); ++h) {
       const int a = from(h), b = to(h);
@@ -151,8 +159,8 @@ private:
     all.add(seed.vertex, seed.t);
     for (int i = 0; i < line.size(); ++i) all.add(line.vertices[i], line.t[i]);
     for (int i = 0; i + 1 < all.size(); ++i)
-      all.score += (all.t[i + 1] - all.t[i]) *
-                   (1 - 0.5 * distance(all.curve, all.vertices[i], all.t[i]) / m_edge[all.vertices[i]]);
+      all.score += (all.t[i + 1] - all.t[i]) * (1 - 0.4 * distance(all.curve, all.vertices[i], all.t[i]) /
+                                                        (m_options.line_reach * m_edge[all.vertices[i]]));
     return all;
   }
 
@@ -181,7 +189,7 @@ private:
 
   int lay(Line line) {
     int laid = 0;
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round <= most_cuts; ++round) {
       to_corners(line);
       if (line.size() < 3) break;
       const std::vector<int> around = draw_along(line);
@@ -244,7 +252,7 @@ private:
       way.push_back(m_moved.back() - m_mesh.points[v]);
     }
     std::size_t begin = 0;
-    for (int ring = 0; ring < 4; ++ring) {
+    for (int ring = 0; ring < m_rings; ++ring) {
       const std::size_t end = around.size();
       for (; begin < end; ++begin)
         for_each_outgoing(around[begin], [&](int h) {
@@ -255,7 +263,7 @@ private:
         });
     }
     way.resize(around.size(), Point::Zero());
-    for (int sweep = 0; sweep < 30; ++sweep)
+    for (int sweep = 0; sweep < 8 * m_rings; ++sweep)
       for (std::size_t i = line.vertices.size(); i < around.size(); ++i) {
         Point sum = Point::Zero();
         for_each_outgoing(around[i], [&](int h) {
@@ -282,7 +290,7 @@ private:
           after[i] = m_index[w] < 0 ? before[i] : m_moved[std::size_t(m_index[w])];
         }
         const double quality = quad_shape(after[0], after[1], after[2], after[3]);
-        if (quality >= m_options.worst_jacobian) return;
+        if (quality >= m_worst) return;
         if (quality > 0 && quality >= quad_shape(before[0], before[1], before[2], before[3])) return;
         mark_nearest(line, before, bad);
       });
@@ -321,6 +329,7 @@ private:
   const Surface_projector& m_projector;
   const std::vector<Surface_curve>& m_curves;
   const Snap_options& m_options;
+  double m_worst;
   std::vector<char>& m_held;
   std::vector<Vertex_constraints::Place>& m_places;
   std::vector<int> m_opposite, m_outgoing, m_valence;
@@ -330,15 +339,16 @@ private:
   std::vector<std::vector<std::pair<double, double>>> m_taken; ///< per curve: what lines have
   std::vector<int> m_index;                                    ///< in what is moved at present, or -1
   std::vector<Point> m_moved;
+  int m_rings; ///< of vertices around a line that give way
 };
 
 } // namespace
 
 int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
                           const std::vector<Surface_curve>& curves, const std::vector<Feature_seed>& seeds,
-                          const Snap_options& options, std::vector<char>& held,
+                          const Snap_options& options, double worst, std::vector<char>& held,
                           std::vector<Vertex_constraints::Place>& places) {
-  return Lines(mesh, projector, curves, options, held, places).run(seeds);
+  return Lines(mesh, projector, curves, options, worst, held, places).run(seeds);
 }
 
 } // namespace internal

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
+#include "features/blame.h"
+#include "features/snap_to_chains.h"
+#include "relax/relax_state.h"
+
+#include <CGAL/Reeb_quadrangulation/kept_features.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -15,12 +20,21 @@ constexpr double on_it = 0.01;
 // Quads without defects that snapping spoils are mended within a few attempts or, as a rule, not at all.
 constexpr int attempts_of_good_quads = 4;
 
+// So often chains are refused; each time quads are snapped and relaxed anew.
+constexpr int most_refusals = 6;
+
 // Once quads are relaxed around the vertices on sharp edges, more vertices come near these; after the second round
 // hardly any.
 constexpr int rounds_onto_crossings = 2;
 
 // A scaled Jacobian below which a quad is poor: it may not become poorer for the sake of a sharp edge.
-constexpr double poor_quad = 0.2;
+constexpr double poor_quad = 0.3;
+
+// The least scaled Jacobian that quads on sharp edges should have, and what part of these a lower one costs.
+constexpr double good_worst = 0.5, price_of_worst = 0.3;
+
+// Bold lines are laid over quads as bad as this: most of them get good again around the line.
+constexpr double bold_worst = 0.1;
 
 // How much of the mean scaled Jacobian sharp edges are worth.
 constexpr double worth_of_edges = 0.03;
@@ -58,23 +72,109 @@ public:
       if (is_worse(plain.relaxation, freer.relaxation)) plain = std::move(freer);
     }
     if (m_features.edges.chains.empty() && m_features.points.empty()) return plain;
-    for (const Snap_options& way : ways()) {
-      Result<Finished_quads> snapped = snap(plain, way);
-      if (!snapped || !is_worse(snapped->relaxation, plain.relaxation)) return snapped;
+    std::optional<Candidate> best;
+    const std::vector<Way> all = ways();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Result<std::optional<Candidate>> found = onto_features(plain, all[i]);
+      if (!found) return found.error();
+      if (*found && (!best || (*found)->worth() > best->worth())) best = std::move(**found);
+      if (best && best->refused == 0 && !all[i].lines.first) break; // what follows keeps less
     }
-    return plain;
+    return best ? std::move(best->quads) : std::move(plain);
   }
 
 private:
-  // From what is asked for to what hardly touches the quads.
-  std::vector<Snap_options> ways() const {
-    std::vector<Snap_options> result{m_snapping};
-    Snap_options less = m_snapping;
+  // Quads on features, and how much of these they keep.
+  struct Candidate {
+    Finished_quads quads;
+    double kept = 0;
+    int refused = 0; // chains
+
+    // What is kept, less what the worst quad is below a good one.
+    double worth() const {
+      return kept - price_of_worst * std::max(0.0, good_worst - quads.relaxation.worst_after);
+    }
+  };
+
+  // A way onto the features.
+  struct Way {
+    Snap_options snapping;
+    internal::Line_way lines = {};
+  };
+
+  // Quads after one way onto the features, with what put them there.
+  struct Snapped {
+    Finished_quads quads;
+    Vertex_constraints onto;
+    std::vector<int> chain_of_curve;
+  };
+
+  // Chains that make quads worse are refused, until the others do no harm; nothing if they always do.
+  Result<std::optional<Candidate>> onto_features(const Finished_quads& plain, const Way& way) const {
+    internal::Chosen_features chosen(m_features);
+    int refused = 0;
+    for (int round = 0; round < most_refusals; ++round) {
+      Result<Snapped> snapped = snap(plain, way, chosen);
+      if (!snapped) return snapped.error();
+      if (!is_worse(snapped->quads.relaxation, plain.relaxation)) {
+        const double part = kept(snapped->quads.mesh);
+        return std::optional<Candidate>(Candidate{std::move(snapped->quads), part, refused});
+      }
+      const std::vector<int> guilty = blamed(plain, *snapped);
+      if (guilty.empty()) break;
+      for (int chain : guilty) chosen.is_refused[std::size_t(chain)] = 1;
+      refused += int(guilty.size());
+    }
+    return std::optional<Candidate>();
+  }
+
+  double kept(const Quad_mesh& mesh) const {
+    return kept_part(kept_chains(mesh, m_projector.surface(), m_features.edges));
+  }
+
+  // The chains that made quads worse than they may be.
+  std::vector<int> blamed(const Finished_quads& plain, const Snapped& snapped) const {
+    const Quad_mesh& mesh = snapped.quads.mesh;
+    const Relax_report &before = plain.relaxation, &after = snapped.quads.relaxation;
+    const std::vector<int> chain = internal::chains_around(mesh, snapped.onto, snapped.chain_of_curve);
+    const auto shape = [](const Quad_mesh& m, std::size_t q) {
+      const Quad& v = m.quads[q];
+      return scaled_jacobian(m.points[v[0]], m.points[v[1]], m.points[v[2]], m.points[v[3]]);
+    };
+    std::vector<int> bad;
+    const bool has_defects = after.inverted_after > before.inverted_after ||
+                             after.intersections_after > before.intersections_after;
+    const double least = has_defects ? 0.01 : std::min(poor_quad, before.worst_after);
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+      if (const double s = shape(mesh, q); s < least && s < shape(plain.mesh, q)) bad.push_back(int(q));
+    if (after.intersections_after > before.intersections_after)
+      for (const auto& [a, b] : relaxation::intersecting_quads(mesh)) bad.insert(bad.end(), {a, b});
+    std::vector<int> guilty = internal::chains_at(mesh, bad, chain);
+    if (!guilty.empty()) return guilty;
+    const double wanted =
+        std::max(before.mean_after - worth_of_edges, before.mean_after >= good_mean ? good_mean : 0.0);
+    return internal::costliest_chains(plain.mesh, mesh, chain,
+                                      (wanted - after.mean_after) * double(mesh.quads.size()));
+  }
+
+  // From the boldest to what hardly touches the quads.
+  std::vector<Way> ways() const {
+    Snap_options all = m_snapping;
+    if (m_is_given) all.shortest_chain = 0;
+    std::vector<Way> result;
+    if (all.lines) {
+      Snap_options far = all;
+      far.line_reach *= 2;
+      result.push_back({far, {true, bold_worst}});
+      result.push_back({far, {true, {}}});
+    }
+    result.push_back({all});
+    Snap_options less = all;
     less.lines = false;
-    if (m_snapping.lines) result.push_back(less);
+    if (all.lines) result.push_back({less});
     less.crossings = false;
     less.corner_reach = less.reach;
-    result.push_back(less);
+    result.push_back({less});
     return result;
   }
 
@@ -94,8 +194,12 @@ private:
                       : snap_to_features(mesh, m_projector, m_features.edges, way, onto);
   }
 
-  Result<Finished_quads> snap(Finished_quads quads, const Snap_options& way) const {
-    const Relax_report before = quads.relaxation;
+  Result<Snapped> snap(const Finished_quads& plain, const Way& way,
+                       const internal::Chosen_features& chosen) const {
+    Snapped result;
+    Finished_quads& quads = result.quads;
+    quads = plain;
+    const Relax_report before = plain.relaxation;
     // Good quads that are spoilt by this, and not soon mended, are better left as they were.
     Relax_options gentle = m_relaxation;
     if (before.inverted_after + before.intersections_after == 0)
@@ -104,23 +208,28 @@ private:
     if (m_is_given) gentle.wanted = 0;
     std::vector<int> left = before.off_surface;
     double offset = before.largest_offset;
-    const int rounds = way.crossings ? rounds_onto_crossings : 1;
+    const int rounds = way.snapping.crossings ? rounds_onto_crossings : 1;
     for (int round = 0; round < rounds; ++round) {
       Vertex_constraints onto(held(quads.mesh));
       for (int v : left) onto.fixed[std::size_t(v)] = 1; // brought back, they would have to leave again
-      quads.features = snap(quads.mesh, way, onto);
-      if (quads.features.corners + quads.features.vertices == 0) return quads;
+      quads.features = internal::snap_to_chains(quads.mesh, m_projector, chosen, way.snapping, way.lines,
+                                                onto, result.chain_of_curve);
+      if (quads.features.corners + quads.features.vertices == 0) {
+        quads = plain;
+        return result;
+      }
       if (Result<void> relaxed = relax(quads, onto, gentle); !relaxed) return relaxed.error();
       left.insert(left.end(), quads.relaxation.off_surface.begin(), quads.relaxation.off_surface.end());
       offset = std::max(offset, quads.relaxation.largest_offset);
       quads.relaxation.off_surface = left;
       quads.relaxation.largest_offset = offset;
       turn_to_features(quads.mesh, onto);
+      result.onto = std::move(onto);
     }
     quads.relaxation.worst_before = before.worst_before;
     quads.relaxation.mean_before = before.mean_before;
     quads.relaxation.inverted_before = before.inverted_before;
-    return quads;
+    return result;
   }
 
   // Fewer defects are always better. Sharp edges are worth a little of the quads' mean quality, but good quads

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
+#include "features/snap_to_chains.h"
 
 #include "base/compatibility.h"
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
@@ -39,9 +39,9 @@ struct Wish {
 class Snapper {
 public:
   Snapper(Quad_mesh& mesh, const Surface_projector& projector, const Snap_options& options,
-          Vertex_constraints& constraints)
+          Vertex_constraints& constraints, const internal::Line_way& lines = {})
       : m_mesh(mesh), m_projector(projector), m_input(projector.surface()), m_options(options),
-        m_constraints(constraints), m_given(constraints.fixed), m_held(constraints.fixed),
+        m_line_way(lines), m_constraints(constraints), m_given(constraints.fixed), m_held(constraints.fixed),
         m_quads_of(mesh.points.size()), m_shortest(mesh.points.size(), 1e300),
         m_on_boundary(mesh.points.size(), 0), m_normal(mesh.points.size()) {
     m_constraints.fixed.resize(mesh.points.size(), 0);
@@ -59,17 +59,28 @@ public:
     mark_boundary();
   }
 
-  // `points` are corners that count without sharp edges too.
-  Snap_report run(const Feature_edges& features, const std::vector<int>& points) {
-    collect(features, points);
+  // Chains whose entry in `is_refused` is nonzero, if it has entries, are none; `points` are corners that count without
+  // sharp edges too.
+  Snap_report run(const Feature_edges& features, const std::vector<int>& points,
+                  const std::vector<char>& is_refused = {}) {
+    collect(features, points, is_refused);
     if (!m_segments.empty() || !m_corners.empty()) {
       for (std::size_t v = 0; v < m_normal.size(); ++v)
         m_normal[v] = m_projector.normal(m_projector.closest(m_mesh.points[v]).face);
-      snap_corners();
-      if (!m_segments.empty()) snap_edges();
+      if (m_segments.empty()) {
+        snap_corners();
+      } else {
+        const Segments& list = m_segments;
+        const Tree tree(list.begin(), list.end());
+        if (m_options.lines && m_line_way.first) lay_lines(tree);
+        snap_corners();
+        snap_edges(tree);
+      }
     }
     return m_report;
   }
+
+  const std::vector<int>& chain_of_curve() const { return m_chain_of_curve; }
 
 private:
   // A vertex inside has as many edges as quads around it; on the boundary it has one more.
@@ -88,17 +99,20 @@ private:
     }
   }
 
-  void collect(const Feature_edges& features, const std::vector<int>& points) {
+  void collect(const Feature_edges& features, const std::vector<int>& points,
+               const std::vector<char>& is_refused) {
     std::vector<char> on_kept(m_input.number_of_vertices(), 0);
     for (int v : points) on_kept[v] = 1;
-    for (const Feature_chain& chain : features.chains) {
-      if (chain.boundary) continue;
+    for (std::size_t c = 0; c < features.chains.size(); ++c) {
+      const Feature_chain& chain = features.chains[c];
+      if (chain.boundary || (c < is_refused.size() && is_refused[c])) continue;
       double length = 0;
       for (int h : chain.halfedges)
         length += (m_input.points[m_input.target(h)] - m_input.points[m_input.source(h)]).norm();
       if (length < m_options.shortest_chain * m_mean_edge) continue;
       for (int h : chain.halfedges) on_kept[m_input.source(h)] = on_kept[m_input.target(h)] = 1;
       add_curve(chain);
+      m_chain_of_curve.resize(m_constraints.curves.size(), int(c));
     }
     for (int v : features.corners)
       if (on_kept[v]) m_corners.push_back(m_input.points[v]);
@@ -192,14 +206,26 @@ private:
       }
     const Segments& list = edges;
     Tree tree(list.begin(), list.end());
+    const std::vector<Point> taken = held_points();
     for (const Point& corner : m_corners) {
+      if (std::find(taken.begin(), taken.end(), corner) != taken.end()) {
+        ++m_report.corners; // by a line
+        continue;
+      }
       const auto nearest = tree.closest_point_and_primitive(to_kernel(corner));
       const std::size_t e = nearest.second - list.begin();
       const std::vector<Wish> wishes = wishes_for(corner, {from[2 * e], from[2 * e + 1]});
-      const bool taken =
+      const bool granted =
           std::any_of(wishes.begin(), wishes.end(), [&](const Wish& wish) { return grant(wish); });
-      ++(taken ? m_report.corners : m_report.missed_corners);
+      ++(granted ? m_report.corners : m_report.missed_corners);
     }
+  }
+
+  std::vector<Point> held_points() const {
+    std::vector<Point> points;
+    for (std::size_t v = 0; v < m_mesh.points.size(); ++v)
+      if (m_constraints.fixed[v]) points.push_back(m_mesh.points[v]);
+    return points;
   }
 
   // The vertices of the quads at the ends of the edge nearest to a corner, the nearest first.
@@ -238,10 +264,8 @@ private:
     return wishes;
   }
 
-  void snap_edges() {
-    const Segments& list = m_segments;
-    Tree tree(list.begin(), list.end());
-    if (m_options.lines) lay_lines(wishes_of_all(tree));
+  void snap_edges(const Tree& tree) {
+    if (m_options.lines) lay_lines(tree);
     std::vector<Wish> near = wishes_of_all(tree);
     note_given(near);
     near.erase(std::remove_if(near.begin(), near.end(),
@@ -305,18 +329,34 @@ private:
     return offset(near[ends[0]]) / length;
   }
 
-  void lay_lines(const std::vector<Wish>& near) {
+  void lay_lines(const Tree& tree) {
     std::vector<internal::Feature_seed> seeds;
-    for (const Wish& wish : near)
+    for (const Wish& wish : wishes_of_all(tree))
       if (wish.vertex >= 0) seeds.push_back({wish.vertex, wish.curve, wish.t});
-    m_report.on_lines = internal::lay_lines_on_features(m_mesh, m_projector, m_constraints.curves, seeds,
-                                                        m_options, m_held, m_constraints.places);
+    m_report.on_lines += internal::lay_lines_on_features(
+        m_mesh, m_projector, m_constraints.curves, seeds, m_options,
+        m_line_way.worst.value_or(m_options.worst_jacobian), m_held, m_constraints.places);
+    hold_ends();
+  }
+
+  // What lies on the end of a sharp edge is held there, and does not slide.
+  void hold_ends() {
+    const auto is_end = [&](const Vertex_constraints::Place& place) {
+      const Surface_curve& c = m_constraints.curves[std::size_t(place.curve)];
+      const Point& p = m_mesh.points[std::size_t(place.vertex)];
+      if (c.closed || (p != c.points.front() && p != c.points.back())) return false;
+      m_constraints.fixed[std::size_t(place.vertex)] = 1;
+      return true;
+    };
+    std::vector<Vertex_constraints::Place>& places = m_constraints.places;
+    places.erase(std::remove_if(places.begin(), places.end(), is_end), places.end());
   }
 
   Quad_mesh& m_mesh;
   const Surface_projector& m_projector;
   const Triangle_surface& m_input;
   const Snap_options& m_options;
+  internal::Line_way m_line_way;
   Vertex_constraints& m_constraints;
   std::vector<char> m_given; ///< vertices that were held before
   std::vector<char> m_held;  ///< vertices that stay or have been moved
@@ -328,6 +368,7 @@ private:
   Segments m_segments;
   std::vector<std::pair<int, int>> m_segment_of; ///< per segment: its curve, and which one of that it is
   std::vector<Point> m_corners;
+  std::vector<int> m_chain_of_curve;
   Snap_report m_report;
 };
 
@@ -385,6 +426,17 @@ Snap_report snap_to_features(Quad_mesh& mesh, const Surface_projector& projector
   Snap_options every_chain = options;
   every_chain.shortest_chain = 0;
   return Snapper(mesh, projector, every_chain, constraints).run(features.edges, features.points);
+}
+
+Snap_report internal::snap_to_chains(Quad_mesh& mesh, const Surface_projector& projector,
+                                     const Chosen_features& features, const Snap_options& options,
+                                     const Line_way& lines, Vertex_constraints& constraints,
+                                     std::vector<int>& chain_of_curve) {
+  Snapper snapper(mesh, projector, options, constraints, lines);
+  const Snap_report report =
+      snapper.run(features.features->edges, features.features->points, features.is_refused);
+  chain_of_curve = snapper.chain_of_curve();
+  return report;
 }
 
 } // namespace Reeb_quadrangulation
