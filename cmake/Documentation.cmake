@@ -42,3 +42,11 @@ if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
     DEPENDS ${figure_dir}/quads.png ${figure_dir}/texture_move_vertices.svg ${studio_figure}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Making the manual" VERBATIM)
 endif()
+# The pictures of README.md, which are committed: `--target readme` makes them anew.
+if(REEBQUAD_TESTS)
+  add_executable(readme_pictures EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/doc/readme/readme_pictures.cpp)
+  target_link_libraries(readme_pictures PRIVATE Reeb_quadrangulation Reeb_quadrangulation_picture reebquad_flags)
+  target_compile_options(readme_pictures PRIVATE -O1)
+  add_custom_target(readme COMMAND readme_pictures ${PROJECT_SOURCE_DIR}/doc/readme
+    ${PROJECT_SOURCE_DIR}/doc/Reeb_quadrangulation/fig/edits COMMENT "Drawing the pictures of README.md" VERBATIM)
+endif()

@@ -74,12 +74,14 @@ Mend_options mending(const Command_line& line) {
 
 void require_writable_format(const std::string& file) {
   if (format_of_extension(file) == Mesh_format::automatic)
-    throw Usage_error(file + ": the extension is not one of obj, off, ply, vtk, stl, glb");
+    throw Usage_error(file + ": the extension is not one of obj, off, ply, vtk, vtu, inp, msh, stl, glb");
 }
 
-Polygon_soup read_soup(const std::string& file, std::vector<std::string>* notes) {
+Polygon_soup read_soup(const std::string& file, std::vector<std::string>* notes,
+                       Mesh_attributes* attributes) {
   std::vector<std::string> passed_over;
-  Polygon_soup soup = value_or_fail(read_polygon_soup(file, largest_mesh_file, &passed_over), file);
+  Polygon_soup soup =
+      value_or_fail(read_polygon_soup(file, largest_mesh_file, &passed_over, attributes), file);
   for (const std::string& note : passed_over)
     if (notes)
       notes->push_back(note);

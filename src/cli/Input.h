@@ -4,6 +4,7 @@
 
 #include "Command.h"
 
+#include <CGAL/Reeb_quadrangulation/IO/mesh_attributes.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
@@ -20,9 +21,11 @@ CGAL::Reeb_quadrangulation::Mend_options mending(const Command_line& line);
 void require_writable_format(const std::string& file);
 
 /// Reads a mesh file; a `Failure` names file and line or byte. What was passed over is appended to `notes`,
-/// or printed as warnings if there are none.
-CGAL::Reeb_quadrangulation::Polygon_soup read_soup(const std::string& file,
-                                                   std::vector<std::string>* notes = nullptr);
+/// or printed as warnings if there are none. What the file tells beside the surface goes into `attributes`,
+/// unless that is null.
+CGAL::Reeb_quadrangulation::Polygon_soup
+read_soup(const std::string& file, std::vector<std::string>* notes = nullptr,
+          CGAL::Reeb_quadrangulation::Mesh_attributes* attributes = nullptr);
 
 /// The quads of a soup; a `Failure` names the first face that is not a quad.
 CGAL::Reeb_quadrangulation::Quad_mesh quads_of(const CGAL::Reeb_quadrangulation::Polygon_soup& soup,

@@ -56,7 +56,7 @@ void declare(Command_line& line) {
   const double default_persistence = Suggestion_options().persistence;
   line.options.add_options() //
       ("output,o", value<std::string>("FILE"),
-       "the quad mesh: OBJ, OFF, PLY or VTK by its extension "
+       "the quad mesh: OBJ, OFF, PLY, VTK, VTU, INP or MSH by its extension "
        "(STL and GLB hold triangles)")                                                          //
       ("quads", value<int>("N")->default_value(3000), "about how many quads")                   //
       ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads") //
@@ -101,8 +101,10 @@ void declare(Command_line& line) {
        "demand strict validity: also no inverted quad, and no self-intersection but the input's own") //
       ("strict", "warnings fail: write nothing and end with 5 where the shape is not kept")           //
       ("all-or-nothing",
-       "write nothing if a component cannot be meshed, instead of the others (exit code 6)") //
-      ("timings", "print the seconds and the memory of every stage")                         //
+       "write nothing if a component cannot be meshed, instead of the others (exit code 6)")     //
+      ("charts", "write charts as groups, and as texture coordinates of a square each")          //
+      ("no-attributes", "do not carry over texture coordinates, colours and names of the input") //
+      ("timings", "print the seconds and the memory of every stage")                             //
       ("quiet", "print errors only");
   declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
@@ -191,6 +193,8 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
       throw Usage_error(std::string("a recipe does not keep --") + option +
                         ": mend the mesh into a file first, or leave --write-recipe out");
   options.all_or_nothing = line.has("all-or-nothing");
+  options.charts = line.has("charts");
+  options.attributes = !line.has("no-attributes");
   options.timings = line.has("timings");
   options.quiet = line.has("quiet");
   options.validate = line.has("validate");

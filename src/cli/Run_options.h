@@ -25,6 +25,8 @@ struct Run_options {
   CGAL::Reeb_quadrangulation::Mend_options mending;
   int component = 0;           ///< the only one to mesh, counted from 1; 0: all
   bool all_or_nothing = false; ///< write nothing unless every component is meshed
+  bool charts = false;         ///< write the charts of the quads as groups and texture coordinates
+  bool attributes = true;      ///< carry over what the input tells beside its surface
   bool timings = false;
   bool quiet = false;
   bool strict = false;   ///< warnings about the shape fail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // reebquad replay INPUT RECIPE -o QUADS: designs a quad mesh by the edits of a recipe.
+#include "Attributes.h"
 #include "Command.h"
 #include "Design_output.h"
 #include "Input.h"
@@ -11,7 +12,7 @@
 
 #include "base/parallel_for.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
-#include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/transfer_mesh_attributes.h>
 
 #include <algorithm>
 #include <iostream>
@@ -32,6 +33,7 @@ struct Replay_options {
   bool feature_lines = false;          ///< also where the recipe has none
   bool relax = true;                   ///< where the recipe relaxes
   Solver_options solver;               ///< instead of the recipe's
+  bool attributes = true;              ///< carry over what the input tells beside its surface
   bool quiet = false;
 };
 
@@ -47,7 +49,9 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "how many threads; 0: as many as there are")("no-relax", "do not relax the quads on the surface")(
       "feature-angle", po::value<double>()->value_name("DEGREES"),
       "quads keep edges whose faces' normals differ by more; 0: none; by default what the recipe says")(
-      "feature-lines", "lay whole lines of quads' edges onto sharp edges")("quiet", "print errors only");
+      "feature-lines", "lay whole lines of quads' edges onto sharp edges")(
+      "no-attributes",
+      "do not carry over texture coordinates, colours and names of the input")("quiet", "print errors only");
   declare_force(line);
   declare_solver(line, "what the recipe says");
   line.take("INPUT");
@@ -78,6 +82,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   options.feature_lines = line.has("feature-lines");
   options.relax = !line.has("no-relax");
   options.solver = solver_options(line);
+  options.attributes = !line.has("no-attributes");
   options.quiet = line.has("quiet");
   return options;
 }
@@ -149,12 +154,15 @@ Exit_code execute_replay(const Arguments& arguments) {
   observer.clear();
   const bool passed = output.passed();
   if (passed && !options->pictures.empty()) output.write_pictures(options->pictures);
+  Mesh_attributes attributes;
+  if (passed && options->attributes) {
+    std::vector<std::string> told_before;
+    const Attributed_soup input = read_attributed_soup(options->input, &told_before);
+    attributes = transfer_mesh_attributes(input.soup, input.attributes, output.polygons());
+  }
   {
     const Uninterruptible whole;
-    if (passed)
-      for (const std::string& warning :
-           value_or_fail(write_mesh(options->output, output.polygons()), options->output))
-        std::cerr << "reebquad: " << options->output << ": " << warning << '\n';
+    if (passed) write_quads(options->output, output.polygons(), attributes, options->quiet);
     if (!options->report.empty())
       succeed_or_fail(write_file_atomically(options->report,
                                             output.report(options->input, passed ? options->output : "")),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // reebquad run FILE -o QUADS: the whole pipeline from a file to certified quads.
 #include "Run.h"
+#include "Attributes.h"
 #include "Input.h"
 #include "Interruption.h"
 #include "Mirror_output.h"
@@ -10,8 +11,8 @@
 #include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
-#include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/surface_as_read.h>
+#include <CGAL/Reeb_quadrangulation/transfer_mesh_attributes.h>
 
 #include "view/Html_report.h"
 
@@ -52,11 +53,13 @@ public:
 
   Exit_code execute() {
     begin("reading");
-    const Polygon_soup soup = read_soup(m_options.input, &m_run.notes);
+    m_input = read_attributed_soup(m_options.input, &m_run.notes);
     end();
-    m_run.input_points = soup.number_of_points();
-    m_run.input_faces = soup.number_of_polygons();
-    mend(soup);
+    m_run.input_points = m_input.soup.number_of_points();
+    m_run.input_faces = m_input.soup.number_of_polygons();
+    mend(m_input.soup);
+    if (!m_options.attributes) m_input.attributes = {};
+    if (m_input.attributes.empty()) m_input.soup = {}; // nobody asks again
     mesh_components();
     decide_status();
     if (m_run.is_written()) certify_all();
@@ -73,7 +76,8 @@ private:
 
   /// Those outside the components' own.
   static std::set<std::string> own_stages() {
-    return {"reading", "mending", "certificate", "statistics", "pictures", "HTML report", "writing"};
+    return {"reading",  "mending",     "certificate", "statistics",
+            "pictures", "HTML report", "attributes",  "writing"};
   }
 
   /// A component is left out.
@@ -302,14 +306,18 @@ private:
   }
 
   void write_quads() {
+    const Polygon_soup quads = polygon_soup(m_run.quads);
+    Mesh_attributes attributes = m_input.attributes;
+    if (!attributes.empty()) {
+      begin("attributes");
+      attributes = transfer_mesh_attributes(m_input.soup, attributes, quads);
+      end();
+    }
+    if (m_options.charts) add_charts(m_run.components, attributes);
     begin("writing");
-    const Uninterruptible whole;
-    const std::vector<std::string> warnings =
-        value_or_fail(write_mesh(m_options.output, m_run.quads), m_options.output);
-    end();
     m_observer.clear();
-    for (const std::string& warning : warnings)
-      std::cerr << "reebquad: " << m_options.output << ": " << warning << '\n';
+    reebquad::write_quads(m_options.output, quads, attributes, m_options.quiet);
+    end();
   }
 
   void print_outcome() const {
@@ -372,6 +380,7 @@ private:
   }
 
   const Run_options& m_options;
+  Attributed_soup m_input; ///< without its soup where it has no attributes
   Run m_run;
   int m_component = 0;                      ///< the one that is meshed, of several
   Exit_code m_failure = Exit_code::success; ///< of the first component that was refused or failed

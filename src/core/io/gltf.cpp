@@ -127,8 +127,8 @@ double component(const char* at, int type, bool normalized) {
 
 class Gltf_parser {
 public:
-  Gltf_parser(const char* data, std::size_t size, Notes& notes)
-      : m_data(data), m_size(size), m_notes(notes),
+  Gltf_parser(const char* data, std::size_t size, Notes& notes, Mesh_attributes* attributes)
+      : m_data(data), m_size(size), m_notes(notes), m_attributes(attributes),
         m_most(std::min<std::int64_t>(largest_count,
                                       std::max<std::int64_t>(30'000'000, 3 * std::int64_t(size)))) {}
 
@@ -329,8 +329,16 @@ private:
       m_morphs += primitive.contains("targets");
       const auto attributes = primitive.find("attributes");
       if (attributes == primitive.end() || !attributes->contains("POSITION")) continue;
+      note_attributes(primitive, *attributes);
       add_primitive(primitive, values(integer(*attributes, "POSITION"), 3), int(mode), placed);
     }
+  }
+
+  void note_attributes(const Json& primitive, const Json& attributes) {
+    if (attributes.contains("NORMAL")) note_other(m_attributes, "normals");
+    if (attributes.contains("TEXCOORD_0")) note_other(m_attributes, "texture coordinates");
+    if (attributes.contains("COLOR_0")) note_other(m_attributes, "colours");
+    if (primitive.contains("material")) note_other(m_attributes, "materials");
   }
 
   void add_primitive(const Json& primitive, const Values& positions, int mode,
@@ -381,6 +389,7 @@ private:
   const char* m_data;
   std::size_t m_size;
   Notes& m_notes;
+  Mesh_attributes* m_attributes;
   const std::int64_t m_most; ///< points, and corners: many nodes may place one mesh
   Json m_json;
   std::string_view m_binary;
@@ -392,9 +401,10 @@ private:
 
 } // namespace
 
-Result<Polygon_soup> parse_gltf(const char* data, std::size_t size, Notes& notes) {
+Result<Polygon_soup> parse_gltf(const char* data, std::size_t size, Notes& notes,
+                                Mesh_attributes* attributes) {
   try {
-    return Gltf_parser(data, size, notes).parse();
+    return Gltf_parser(data, size, notes, attributes).parse();
   } catch (const Gltf_failure& failure) {
     return make_error(failure.code, failure.what());
   } catch (const Json::parse_error& failure) {

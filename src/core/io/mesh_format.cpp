@@ -14,6 +14,9 @@ const char* name(Mesh_format format) {
   case Mesh_format::stl: return "STL";
   case Mesh_format::vtk: return "VTK";
   case Mesh_format::glb: return "GLB";
+  case Mesh_format::vtu: return "VTU";
+  case Mesh_format::inp: return "INP";
+  case Mesh_format::msh: return "MSH";
   }
   return "";
 }
@@ -23,8 +26,9 @@ Mesh_format format_of_extension(const std::string& path) {
   if (dot == std::string::npos || path[dot] != '.') return Mesh_format::automatic;
   std::string extension;
   for (char c : path.substr(dot + 1)) extension += c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
-  for (Mesh_format format : {Mesh_format::off, Mesh_format::obj, Mesh_format::ply, Mesh_format::stl,
-                             Mesh_format::vtk, Mesh_format::glb})
+  for (Mesh_format format :
+       {Mesh_format::off, Mesh_format::obj, Mesh_format::ply, Mesh_format::stl, Mesh_format::vtk,
+        Mesh_format::glb, Mesh_format::vtu, Mesh_format::inp, Mesh_format::msh})
     if (extension == name(format)) return format;
   return Mesh_format::automatic;
 }

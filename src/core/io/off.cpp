@@ -10,8 +10,8 @@ namespace {
 
 class Off_parser {
 public:
-  Off_parser(const char* data, std::size_t size, Notes& notes)
-      : m_cursor(data, data + size, '#'), m_notes(notes) {}
+  Off_parser(const char* data, std::size_t size, Notes& notes, Mesh_attributes* attributes)
+      : m_cursor(data, data + size, '#'), m_notes(notes), m_attributes(attributes) {}
 
   Result<Polygon_soup> parse() {
     for (auto step : {&Off_parser::header, &Off_parser::counts, &Off_parser::points, &Off_parser::faces})
@@ -47,7 +47,12 @@ private:
       if (is) prefix.remove_prefix(part.size());
       return is;
     };
-    for (const char* part : {"ST", "C", "N"}) m_has_extras |= take(part);
+    for (const auto& [part, words] :
+         {std::pair("ST", "texture coordinates"), std::pair("C", "colours"), std::pair("N", "normals")}) {
+      if (!take(part)) continue;
+      m_has_extras = true;
+      note_other(m_attributes, words);
+    }
     if (take("4")) return refuse("OFF: points with four coordinates (4OFF) are not supported.");
     if (take("n")) return refuse("OFF: points in other dimensions (nOFF) are not supported.");
     const std::string_view rest = word.substr(off + 3);
@@ -130,6 +135,7 @@ private:
 
   Text_cursor m_cursor;
   Notes& m_notes;
+  Mesh_attributes* m_attributes;
   bool m_has_extras = false;
   std::int64_t m_points = 0, m_faces = 0;
   Polygon_soup m_soup;
@@ -137,8 +143,9 @@ private:
 
 } // namespace
 
-Result<Polygon_soup> parse_off(const char* data, std::size_t size, Notes& notes) {
-  return Off_parser(data, size, notes).parse();
+Result<Polygon_soup> parse_off(const char* data, std::size_t size, Notes& notes,
+                               Mesh_attributes* attributes) {
+  return Off_parser(data, size, notes, attributes).parse();
 }
 
 } // namespace Reeb_quadrangulation

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <map>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -99,8 +101,8 @@ struct Ply_element {
 
 class Ply_parser {
 public:
-  Ply_parser(const char* data, std::size_t size)
-      : m_data(data), m_end(data + size), m_cursor(data, data + size) {}
+  Ply_parser(const char* data, std::size_t size, Mesh_attributes* attributes)
+      : m_data(data), m_end(data + size), m_cursor(data, data + size), m_kept(attributes) {}
 
   Result<Polygon_soup> parse() {
     if (Result<void> done = header(); !done) return done.error();
@@ -111,10 +113,13 @@ public:
         done = points(e);
       else if (e.name == "face" || e.name == "tristrips")
         done = polygons(e);
-      else if (!e.properties.empty())
+      else if (!e.properties.empty()) {
+        if (e.count > 0) note_other(m_kept, "elements " + printable(e.name));
         done = skip(e);
+      }
       if (!done) return done.error();
     }
+    if (m_kept) hand_over_attributes();
     return std::move(m_soup);
   }
 
@@ -139,6 +144,7 @@ private:
       m_cursor.skip_line();
       if (!m_cursor.find_word()) return header_error("the header does not end");
       const std::string_view keyword = m_cursor.peek();
+      if (keyword == "comment" && m_kept) name_in_comment();
       if (keyword == "comment" || keyword == "obj_info") continue;
       m_cursor.word();
       if (keyword == "end_header") break;
@@ -152,6 +158,24 @@ private:
     if (Result<void> done = check_header(); !done) return done;
     end_header_line();
     return {};
+  }
+
+  /// "comment KIND I is NAME", as our writer has it.
+  void name_in_comment() {
+    m_cursor.word();
+    if (!m_cursor.find_word_on_line()) return;
+    const std::string kind(m_cursor.word());
+    std::int64_t number = 0;
+    if (!m_cursor.find_word_on_line() || !m_cursor.integer(number)) return;
+    if (!m_cursor.find_word_on_line() || m_cursor.word() != "is" || !m_cursor.find_word_on_line()) return;
+    m_names[{kind, number}] = std::string(m_cursor.word());
+  }
+
+  static std::string printable(std::string_view name) {
+    std::string text(name.substr(0, 24));
+    for (char& c : text)
+      if (c < 32 || c > 126) c = '?';
+    return text;
   }
 
   // The data begin behind the line end. A CR alone ends lines only in files whose first line ends so; then an
@@ -312,18 +336,62 @@ private:
         }
     if (axes != 1 + 4 + 16)
       return fail("the element vertex does not have the properties x, y and z once each");
+    // Where the other numbers of a point go: colours 0 to 2, texture coordinates 3 and 4.
+    std::vector<int> slot(e.properties.size(), -1);
+    if (m_kept)
+      for (std::size_t k = 0; k < e.properties.size(); ++k) slot[k] = slot_of(e, e.properties[k]);
+    const bool has_colours =
+        std::count_if(slot.begin(), slot.end(), [](int i) { return i >= 0 && i < 3; }) == 3;
+    const bool has_uv = std::count_if(slot.begin(), slot.end(), [](int i) { return i >= 3; }) == 2;
     m_soup.points.reserve(std::size_t(e.count));
     for (std::int64_t i = 0; i < e.count; ++i) {
       Point point;
-      for (std::size_t k = 0; k < e.properties.size(); ++k)
-        if (axis[k] < 0) {
+      std::array<double, 5> extra{};
+      for (std::size_t k = 0; k < e.properties.size(); ++k) {
+        if (axis[k] < 0 && slot[k] < 0) {
           if (Result<void> done = skip_property(e, e.properties[k], i); !done) return done;
-        } else if (!read(e.properties[k].type, point[axis[k]])) {
-          return no_number(e, i);
+          continue;
         }
+        double value = 0;
+        if (!read(e.properties[k].type, value)) return no_number(e, i);
+        if (axis[k] >= 0)
+          point[axis[k]] = value;
+        else
+          extra[std::size_t(slot[k])] = value / (slot[k] < 3 ? full_scale(e.properties[k].type) : 1);
+      }
       m_soup.points.push_back(point);
+      if (has_colours) m_kept->colours.push_back({extra[0], extra[1], extra[2]});
+      if (has_uv) m_uv_of_point.push_back({extra[3], extra[4]});
     }
     return {};
+  }
+
+  /// The value that stands for 1 in a colour.
+  static double full_scale(Ply_type type) {
+    return type == Ply_type::uint8 ? 255 : type == Ply_type::uint16 ? 65535 : 1;
+  }
+
+  /// Of a property of points that is kept; -1 if it is none, which is told.
+  int slot_of(const Ply_element& e, const Ply_property& p) {
+    constexpr std::array<std::pair<std::string_view, int>, 9> slots{{{"red", 0},
+                                                                     {"green", 1},
+                                                                     {"blue", 2},
+                                                                     {"s", 3},
+                                                                     {"t", 4},
+                                                                     {"u", 3},
+                                                                     {"v", 4},
+                                                                     {"texture_u", 3},
+                                                                     {"texture_v", 4}}};
+    for (const auto& [name, slot] : slots) {
+      const auto same = std::count_if(e.properties.begin(), e.properties.end(),
+                                      [n = name](const Ply_property& other) { return other.name == n; });
+      if (p.name == name && !p.is_list && same == 1) return slot;
+    }
+    if (p.name == "nx" || p.name == "ny" || p.name == "nz")
+      note_other(m_kept, "normals");
+    else if (p.name != "x" && p.name != "y" && p.name != "z")
+      note_other(m_kept, "the property " + printable(p.name) + " of points");
+    return -1;
   }
 
   Result<void> polygons(const Ply_element& e) {
@@ -334,15 +402,84 @@ private:
         indices = int(k);
     if (indices < 0 && e.count > 0)
       return fail("the element " + std::string(e.name) + " has no list vertex_indices");
+    const std::vector<int> kept = kept_properties(e, indices);
     for (std::int64_t i = 0; i < e.count; ++i)
       for (std::size_t k = 0; k < e.properties.size(); ++k) {
         const Ply_property& p = e.properties[k];
-        Result<void> done = int(k) != indices  ? skip_property(e, p, i)
-                            : e.name == "face" ? polygon(e, p, i)
-                                               : strip(e, p, i);
+        Result<void> done = kept[k] == texcoord ? coordinates(e, p, i)
+                            : kept[k] >= 0      ? label(e, p, i, m_kept->labels[std::size_t(kept[k])])
+                            : int(k) != indices ? skip_property(e, p, i)
+                            : e.name == "face"  ? polygon(e, p, i)
+                                                : strip(e, p, i);
         if (!done) return done;
       }
     return {};
+  }
+
+  static constexpr int texcoord = 1000;
+
+  /// Of each property of faces the index of the names that it is the number of, `texcoord`, or -1; others
+  /// are told.
+  std::vector<int> kept_properties(const Ply_element& e, int indices) {
+    std::vector<int> kept(e.properties.size(), -1);
+    for (std::size_t k = 0; m_kept && k < e.properties.size(); ++k) {
+      const Ply_property& p = e.properties[k];
+      const auto is = [&p](const char* name) { return p.name == name; };
+      const bool is_names = is("object") || is("group") || is("material") || is("chart");
+      const bool is_new = std::none_of(m_kept->labels.begin(), m_kept->labels.end(),
+                                       [&p](const Face_labels& l) { return p.name == l.kind; });
+      const bool is_integer = p.type != Ply_type::float32 && p.type != Ply_type::float64;
+      if (int(k) == indices) continue;
+      if (e.name == "face" && is("texcoord") && p.is_list && int(k) > indices) {
+        kept[k] = texcoord;
+      } else if (e.name == "face" && is_names && is_new && is_integer && !p.is_list) {
+        kept[k] = int(m_kept->labels.size());
+        m_kept->labels.push_back(
+            {std::string(p.name), {}, std::vector<int>(m_soup.begin.size() - 1, -1)});
+      } else {
+        note_other(m_kept, "the property " + printable(p.name) + " of faces");
+      }
+    }
+    return kept;
+  }
+
+  Result<void> label(const Ply_element& e, const Ply_property& p, std::int64_t i, Face_labels& labels) {
+    double value = 0;
+    if (!read(p.type, value)) return no_number(e, i);
+    labels.label.push_back(-1);
+    if (!(value >= 0 && value < double(largest_count))) return {};
+    const auto [at, is_new] =
+        m_label_of_number.insert({{labels.kind, std::int64_t(value)}, int(labels.names.size())});
+    labels.label.back() = at->second;
+    if (!is_new) return {};
+    const auto name = m_names.find({labels.kind, std::int64_t(value)});
+    labels.names.push_back(name != m_names.end() ? name->second : std::to_string(std::int64_t(value)));
+    return {};
+  }
+
+  /// Two numbers for each corner of the polygon that was read last; of other lists nothing is kept.
+  Result<void> coordinates(const Ply_element& e, const Ply_property& p, std::int64_t i) {
+    std::int64_t size = 0;
+    if (Result<void> done = list_size(e, p, i, size); !done) return done;
+    const std::size_t corners = std::size_t(m_soup.size_of_polygon(m_soup.number_of_polygons() - 1));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    m_kept->uv.resize(m_soup.corner.size(), Eigen::Vector2d(none, none));
+    for (std::int64_t k = 0; k < size; ++k) {
+      double value = 0;
+      if (!read(p.type, value)) return no_number(e, i);
+      if (std::size_t(size) == 2 * corners)
+        m_kept->uv[m_soup.corner.size() - corners + std::size_t(k / 2)][k % 2] = value;
+    }
+    return {};
+  }
+
+  void hand_over_attributes() {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    if (!m_kept->uv.empty()) m_kept->uv.resize(m_soup.corner.size(), Eigen::Vector2d(none, none));
+    if (m_kept->uv.empty() && !m_uv_of_point.empty())
+      for (const int v : m_soup.corner) m_kept->uv.push_back(m_uv_of_point[std::size_t(v)]);
+    // Strips, which have no names, may stand beside the faces.
+    for (Face_labels& labels : m_kept->labels) labels.label.resize(m_soup.begin.size() - 1, -1);
   }
 
   Result<void> read_index(const Ply_element& e, const Ply_property& p, std::int64_t i, int lowest,
@@ -392,13 +529,17 @@ private:
   Encoding m_encoding = Encoding::none;
   std::vector<Ply_element> m_elements;
   std::int64_t m_points = -1;
+  Mesh_attributes* m_kept; ///< null if attributes are not asked for
+  std::vector<Eigen::Vector2d> m_uv_of_point;
+  std::map<std::pair<std::string, std::int64_t>, std::string> m_names; ///< of kind and number
+  std::map<std::pair<std::string, std::int64_t>, int> m_label_of_number;
   Polygon_soup m_soup;
 };
 
 } // namespace
 
-Result<Polygon_soup> parse_ply(const char* data, std::size_t size) {
-  return Ply_parser(data, size).parse();
+Result<Polygon_soup> parse_ply(const char* data, std::size_t size, Mesh_attributes* attributes) {
+  return Ply_parser(data, size, attributes).parse();
 }
 
 } // namespace Reeb_quadrangulation

@@ -111,7 +111,7 @@ std::int64_t read_bytes(int file, char* data, std::size_t size) {
 } // namespace
 
 Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh_format format,
-                                        std::vector<std::string>* notes) {
+                                        std::vector<std::string>* notes, Mesh_attributes* attributes) {
   Notes ignored;
   Notes& told = notes ? *notes : ignored;
   if (size == 0) return make_error(Error_code::malformed_file, "The file is empty.");
@@ -123,12 +123,15 @@ Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh
   }
   const Mesh_format shown = format_of_content(data, size);
   switch (shown == Mesh_format::automatic ? format : shown) {
-  case Mesh_format::off: return parse_off(data, size, told);
-  case Mesh_format::obj: return parse_obj(data, size, told);
-  case Mesh_format::ply: return parse_ply(data, size);
+  case Mesh_format::off: return parse_off(data, size, told, attributes);
+  case Mesh_format::obj: return parse_obj(data, size, told, attributes);
+  case Mesh_format::ply: return parse_ply(data, size, attributes);
   case Mesh_format::stl: return parse_stl(data, size, told);
-  case Mesh_format::glb: return parse_gltf(data, size, told);
+  case Mesh_format::glb: return parse_gltf(data, size, told, attributes);
   case Mesh_format::vtk:
+  case Mesh_format::vtu:
+  case Mesh_format::inp:
+  case Mesh_format::msh:
   case Mesh_format::automatic: break;
   }
   return make_error(Error_code::unsupported_format,
@@ -136,7 +139,7 @@ Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size, Mesh
 }
 
 Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t maximum_bytes,
-                                       std::vector<std::string>* notes) {
+                                       std::vector<std::string>* notes, Mesh_attributes* attributes) {
   // Non-blocking, so that a pipe without a writer does not hang before it is refused.
   const File_descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) return unreadable(path, errno);
@@ -168,7 +171,9 @@ Result<Polygon_soup> read_polygon_soup(const std::string& path, std::uint64_t ma
   Notes ignored;
   Result<Polygon_soup> soup =
       other ? parse_by_assimp(data.get(), std::size_t(head_size + rest), extension, notes ? *notes : ignored)
-            : parse_polygon_soup(data.get(), std::size_t(head_size + rest), format_of_extension(path), notes);
+            : parse_polygon_soup(data.get(), std::size_t(head_size + rest), format_of_extension(path), notes,
+                                 attributes);
+  if (other) note_other(attributes, "what Assimp knows beside points and faces");
   if (soup) return soup;
   Error error = soup.error();
   error.message = "'" + path + "': " + error.message;

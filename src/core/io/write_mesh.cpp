@@ -10,9 +10,7 @@
 
 #include <Eigen/Geometry>
 
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace CGAL {
@@ -20,49 +18,18 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-void append(std::string& out, double x) {
-  char text[32];
-  out.append(text, std::to_chars(text, text + sizeof text, x).ptr);
-}
-
-void append(std::string& out, int i) {
-  char text[16];
-  out.append(text, std::to_chars(text, text + sizeof text, i).ptr);
-}
-
-void append(std::string& out, const Point& p) {
-  for (int k = 0; k < 3; ++k) {
-    if (k > 0) out += ' ';
-    append(out, p[k]);
-  }
-}
-
 /// "SIZE i j k ...\n"
 void append_polygon(std::string& out, const Polygon_soup& mesh, int p) {
-  append(out, mesh.size_of_polygon(p));
-  for (int c = mesh.begin[p]; c < mesh.begin[p + 1]; ++c) append(out += ' ', mesh.corner[c]);
+  append_number(out, mesh.size_of_polygon(p));
+  for (int c = mesh.begin[p]; c < mesh.begin[p + 1]; ++c) append_number(out += ' ', mesh.corner[c]);
   out += '\n';
-}
-
-std::string encode_obj(const Polygon_soup& mesh) {
-  std::string out;
-  for (const Point& p : mesh.points) {
-    append(out += "v ", p);
-    out += '\n';
-  }
-  for (int p = 0; p < mesh.number_of_polygons(); ++p) {
-    out += 'f';
-    for (int c = mesh.begin[p]; c < mesh.begin[p + 1]; ++c) append(out += ' ', mesh.corner[c] + 1);
-    out += '\n';
-  }
-  return out;
 }
 
 std::string encode_off(const Polygon_soup& mesh) {
   std::string out = "OFF\n" + std::to_string(mesh.number_of_points()) + ' ' +
                     std::to_string(mesh.number_of_polygons()) + " 0\n";
   for (const Point& p : mesh.points) {
-    append(out, p);
+    append_point(out, p);
     out += '\n';
   }
   for (int p = 0; p < mesh.number_of_polygons(); ++p) append_polygon(out, mesh, p);
@@ -74,43 +41,11 @@ std::string encode_vtk(const Polygon_soup& mesh) {
   std::string out = "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET POLYDATA\nPOINTS " +
                     std::to_string(mesh.number_of_points()) + " double\n";
   for (const Point& p : mesh.points) {
-    append(out, p);
+    append_point(out, p);
     out += '\n';
   }
   out += "POLYGONS " + polygons + ' ' + std::to_string(mesh.corner.size() + mesh.begin.size() - 1) + '\n';
   for (int p = 0; p < mesh.number_of_polygons(); ++p) append_polygon(out, mesh, p);
-  return out;
-}
-
-std::string encode_ply(const Polygon_soup& mesh, bool ascii) {
-  int largest = 0;
-  for (int p = 0; p < mesh.number_of_polygons(); ++p) largest = std::max(largest, mesh.size_of_polygon(p));
-  std::string out = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
-                    " 1.0\nelement vertex " + std::to_string(mesh.number_of_points()) +
-                    "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                    std::to_string(mesh.number_of_polygons()) + "\nproperty list " +
-                    (largest < 256 ? "uchar" : "int") + " int vertex_indices\nend_header\n";
-  for (const Point& p : mesh.points) {
-    if (ascii) {
-      append(out, p);
-      out += '\n';
-    } else {
-      for (int k = 0; k < 3; ++k) append_little_endian(out, p[k]);
-    }
-  }
-  for (int p = 0; p < mesh.number_of_polygons(); ++p) {
-    if (ascii) {
-      append_polygon(out, mesh, p);
-      continue;
-    }
-    const int size = mesh.size_of_polygon(p);
-    if (largest < 256)
-      out += char(static_cast<unsigned char>(size));
-    else
-      append_little_endian(out, std::int32_t(size));
-    for (int c = mesh.begin[p]; c < mesh.begin[p + 1]; ++c)
-      append_little_endian(out, std::int32_t(mesh.corner[c]));
-  }
   return out;
 }
 
@@ -123,10 +58,10 @@ Point normal_of(const Polygon_soup& mesh, const Triangle& t) {
 std::string encode_ascii_stl(const Polygon_soup& mesh) {
   std::string out = "solid mesh\n";
   for (const Triangle& t : triangles_of(mesh)) {
-    append(out += "facet normal ", normal_of(mesh, t));
+    append_point(out += "facet normal ", normal_of(mesh, t));
     out += "\nouter loop\n";
     for (int v : t) {
-      append(out += "vertex ", mesh.points[v]);
+      append_point(out += "vertex ", mesh.points[v]);
       out += '\n';
     }
     out += "endloop\nendfacet\n";
@@ -166,18 +101,49 @@ Result<void> check_coordinates(const Polygon_soup& mesh, bool single_precision) 
 
 } // namespace
 
-std::vector<Triangle> triangles_of(const Polygon_soup& mesh) {
+void append_point(std::string& out, const Point& p) {
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0) out += ' ';
+    append_number(out, p[k]);
+  }
+}
+
+std::vector<Triangle> corner_triangles_of(const Polygon_soup& mesh, std::vector<int>* polygon) {
   std::vector<Triangle> triangles;
   for (int p = 0; p < mesh.number_of_polygons(); ++p) {
-    const int* const corner = mesh.corner.data() + mesh.begin[p];
-    const int size = mesh.size_of_polygon(p);
-    const auto p_of = [&](int i) -> const Point& { return mesh.points[corner[i]]; };
+    const int begin = mesh.begin[p], size = mesh.size_of_polygon(p);
+    const auto p_of = [&](int i) -> const Point& { return mesh.points[mesh.corner[begin + i]]; };
     // All triangles of a polygon begin at its first corner, of a quad perhaps at its second.
     const int first = size == 4 ? internal::first_corner_of_cut(p_of(0), p_of(1), p_of(2), p_of(3)) : 0;
-    for (int i = 1; i + 1 < size; ++i)
-      triangles.push_back({corner[first], corner[(first + i) % size], corner[(first + i + 1) % size]});
+    for (int i = 1; i + 1 < size; ++i) {
+      triangles.push_back({begin + first, begin + (first + i) % size, begin + (first + i + 1) % size});
+      if (polygon) polygon->push_back(p);
+    }
   }
   return triangles;
+}
+
+std::vector<Triangle> triangles_of(const Polygon_soup& mesh) {
+  std::vector<Triangle> triangles = corner_triangles_of(mesh);
+  for (Triangle& t : triangles)
+    for (int& corner : t) corner = mesh.corner[corner];
+  return triangles;
+}
+
+const Face_labels* labels_of(const Mesh_attributes& attributes, const std::string& kind) {
+  for (const Face_labels& labels : attributes.labels)
+    if (labels.kind == kind) return &labels;
+  return nullptr;
+}
+
+std::string word_of(const std::string& name) {
+  std::string word;
+  for (const char c : name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          c == '.' || c == '-' || (c & 0x80) != 0;
+    word += is_plain ? c : '_';
+  }
+  return word.empty() ? "_" : word;
 }
 
 namespace {
@@ -193,32 +159,141 @@ void add_comment(std::string& bytes, Mesh_format format, const std::string& comm
 
 } // namespace
 
+namespace {
+
+/// What a format holds.
+struct Capacity {
+  int corners = std::numeric_limits<int>::max(); ///< of a polygon at most
+  bool uv = false, colours = false, labels = false;
+};
+
+Capacity capacity(Mesh_format format) {
+  const int any = Capacity().corners;
+  switch (format) {
+  case Mesh_format::obj:
+  case Mesh_format::ply: return {any, true, true, true};
+  case Mesh_format::vtu: return {any, false, true, true};
+  case Mesh_format::inp:
+  case Mesh_format::msh: return {4, false, false, true};
+  case Mesh_format::glb: return {3, true, true, false}; // materials only, of all names
+  case Mesh_format::stl: return {3, false, false, false};
+  case Mesh_format::off:
+  case Mesh_format::vtk:
+  case Mesh_format::automatic: break;
+  }
+  return {any, false, false, false};
+}
+
+/// As words for people.
+std::vector<std::string> dropped(const Mesh_attributes& attributes, Mesh_format format) {
+  const Capacity holds = capacity(format);
+  std::vector<std::string> words;
+  if (!attributes.uv.empty() && !holds.uv) words.push_back("texture coordinates");
+  if (!attributes.colours.empty() && !holds.colours) words.push_back("colours");
+  for (const Face_labels& labels : attributes.labels)
+    if (!holds.labels && !(format == Mesh_format::glb && labels.kind == "material"))
+      words.push_back(labels.kind + 's');
+  if (!attributes.material_library.empty() && format != Mesh_format::obj)
+    words.push_back("the material library " + attributes.material_library);
+  words.insert(words.end(), attributes.others.begin(), attributes.others.end());
+  return words;
+}
+
+/// The mesh and its attributes with polygons of more than `most` corners divided into triangles.
+void divide(int most, Polygon_soup& mesh, Mesh_attributes& attributes) {
+  std::vector<int> polygon;
+  const std::vector<Triangle> triangles = corner_triangles_of(mesh, &polygon);
+  Polygon_soup divided;
+  Mesh_attributes carried = attributes;
+  carried.uv.clear();
+  for (Face_labels& labels : carried.labels) labels.label.clear();
+  divided.points = std::move(mesh.points);
+  const auto add = [&](int p, const std::vector<int>& corners) {
+    for (const int c : corners) {
+      divided.corner.push_back(mesh.corner[std::size_t(c)]);
+      if (!attributes.uv.empty()) carried.uv.push_back(attributes.uv[std::size_t(c)]);
+    }
+    divided.close_polygon();
+    for (std::size_t l = 0; l < carried.labels.size(); ++l)
+      carried.labels[l].label.push_back(attributes.labels[l].label[std::size_t(p)]);
+  };
+  std::size_t next = 0; // of the triangles
+  for (int p = 0; p < mesh.number_of_polygons(); ++p) {
+    std::vector<int> corners;
+    for (int c = mesh.begin[p]; c < mesh.begin[p + 1]; ++c) corners.push_back(c);
+    if (int(corners.size()) >= 3 && int(corners.size()) <= most) add(p, corners);
+    for (; next < triangles.size() && polygon[next] == p; ++next)
+      if (int(corners.size()) > most) add(p, {triangles[next][0], triangles[next][1], triangles[next][2]});
+  }
+  mesh = std::move(divided);
+  attributes = std::move(carried);
+}
+
+void check_sizes([[maybe_unused]] const Polygon_soup& mesh,
+                 [[maybe_unused]] const Mesh_attributes& attributes) {
+  CGAL_precondition(attributes.uv.empty() || attributes.uv.size() == mesh.corner.size());
+  CGAL_precondition(attributes.colours.empty() || attributes.colours.size() == mesh.points.size());
+  for ([[maybe_unused]] const Face_labels& labels : attributes.labels)
+    CGAL_precondition(labels.label.size() + 1 == mesh.begin.size());
+}
+
+std::string encode(const Polygon_soup& mesh, const Mesh_attributes& attributes, Mesh_format format,
+                   bool ascii) {
+  switch (format) {
+  case Mesh_format::off: return encode_off(mesh);
+  case Mesh_format::obj: return encode_obj(mesh, attributes);
+  case Mesh_format::ply: return encode_ply(mesh, attributes, ascii);
+  case Mesh_format::vtk: return encode_vtk(mesh);
+  case Mesh_format::stl: return ascii ? encode_ascii_stl(mesh) : encode_binary_stl(mesh);
+  case Mesh_format::glb: return encode_glb(mesh, attributes);
+  case Mesh_format::vtu: return encode_vtu(mesh, attributes);
+  case Mesh_format::inp: return encode_inp(mesh, attributes);
+  case Mesh_format::msh: return encode_msh(mesh, attributes);
+  case Mesh_format::automatic: break;
+  }
+  return {};
+}
+
+} // namespace
+
 Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, bool ascii,
                                  const std::string& comment) {
+  return encode_mesh(mesh, Mesh_attributes(), format, ascii, comment);
+}
+
+Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, const Mesh_attributes& attributes,
+                                 Mesh_format format, bool ascii, const std::string& comment) {
   CGAL_precondition(comment.find_first_of("\r\n") == std::string::npos);
+  check_sizes(mesh, attributes);
+  if (format == Mesh_format::automatic)
+    return make_error(Error_code::unsupported_format,
+                      "The name does not tell the format: use .obj, .off, .ply, "
+                      ".vtk, .vtu, .inp, .msh, .stl or .glb.");
   const bool only_triangles = format == Mesh_format::stl || format == Mesh_format::glb;
   if (Result<void> good = check_coordinates(mesh, only_triangles && !ascii); !good) return good.error();
-  if (format == Mesh_format::glb && 12 * (mesh.points.size() + mesh.corner.size()) > 0xffff0000u)
+  // Of each corner its index and, where points are divided at seams, position, coordinates and colour.
+  const std::size_t split = attributes.uv.empty() ? 0 : 32 * mesh.corner.size();
+  if (format == Mesh_format::glb && 24 * mesh.points.size() + 12 * mesh.corner.size() + split > 0xffff0000u)
     return make_error(Error_code::impossible_request,
                       "The mesh is too large for binary glTF, which holds four gigabytes.");
+  const int most = capacity(format).corners;
+  int larger = 0;
+  for (int p = 0; p < mesh.number_of_polygons(); ++p) larger += mesh.size_of_polygon(p) > most;
   Encoded_mesh encoded;
-  switch (format) {
-  case Mesh_format::off: encoded.bytes = encode_off(mesh); break;
-  case Mesh_format::obj: encoded.bytes = encode_obj(mesh); break;
-  case Mesh_format::ply: encoded.bytes = encode_ply(mesh, ascii); break;
-  case Mesh_format::vtk: encoded.bytes = encode_vtk(mesh); break;
-  case Mesh_format::stl: encoded.bytes = ascii ? encode_ascii_stl(mesh) : encode_binary_stl(mesh); break;
-  case Mesh_format::glb: encoded.bytes = encode_glb(mesh); break;
-  case Mesh_format::automatic:
-    return make_error(Error_code::unsupported_format,
-                      "The name does not tell the format: use .obj, .off, .ply, .vtk, .stl or .glb.");
+  if (larger > 0 && most == 4) {
+    Polygon_soup divided = mesh;
+    Mesh_attributes carried = attributes;
+    divide(most, divided, carried);
+    encoded.bytes = encode(divided, carried, format, ascii);
+  } else {
+    encoded.bytes = encode(mesh, attributes, format, ascii);
   }
   add_comment(encoded.bytes, format, comment);
-  int larger = 0;
-  for (int p = 0; p < mesh.number_of_polygons(); ++p) larger += mesh.size_of_polygon(p) > 3;
-  if (only_triangles && larger > 0)
-    encoded.warnings.push_back(std::string(name(format)) + " holds triangles only: " +
-                               std::to_string(larger) + " faces with more corners were divided.");
+  encoded.dropped = dropped(attributes, format);
+  if (larger > 0)
+    encoded.warnings.push_back(std::string(name(format)) + " holds triangles " +
+                               (most == 4 ? "and quads only: " : "only: ") + std::to_string(larger) +
+                               " faces with more corners were divided.");
   return encoded;
 }
 
@@ -226,13 +301,16 @@ Result<std::vector<std::string>> write_mesh(const std::string& path, const Polyg
                                             const Write_options& options) {
   const Mesh_format format =
       options.format == Mesh_format::automatic ? format_of_extension(path) : options.format;
-  Result<Encoded_mesh> encoded = encode_mesh(mesh, format, options.ascii, options.comment);
+  Result<Encoded_mesh> encoded =
+      encode_mesh(mesh, options.attributes ? *options.attributes : Mesh_attributes(), format, options.ascii,
+                  options.comment);
   if (!encoded) {
     Error error = encoded.error();
     error.message = "Cannot write '" + path + "': " + error.message;
     return error;
   }
   if (Result<void> written = write_file_atomically(path, encoded->bytes); !written) return written.error();
+  if (options.dropped) *options.dropped = std::move(encoded->dropped);
   return std::move(encoded->warnings);
 }
 

@@ -3,8 +3,10 @@
 #ifndef REEBQUAD_IO_WRITERS_H
 #define REEBQUAD_IO_WRITERS_H
 
+#include <CGAL/Reeb_quadrangulation/IO/mesh_attributes.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -23,11 +25,46 @@ template <class T> void append_little_endian(std::string& out, T value) {
   for (std::size_t i = 0; i < sizeof bits; ++i) out += char(static_cast<unsigned char>(bits >> (8 * i)));
 }
 
-/// The polygons divided into triangles: quads by `first_corner_of_cut()`, others as fans from their first corner.
+/// Appends a number with the fewest digits that read back to the same.
+template <class T> void append_number(std::string& out, T x) {
+  static_assert(std::is_arithmetic_v<T>);
+  char text[32];
+  out.append(text, std::to_chars(text, text + sizeof text, x).ptr);
+}
+
+/// Appends three numbers with spaces between.
+void append_point(std::string& out, const Point& p);
+
+/// The polygons divided into triangles: quads by `first_corner_of_cut()`, others as fans from their first
+/// corner. The triangles are of indices into `mesh.corner`; `polygon`, unless it is null, gets the polygon
+/// of each.
+std::vector<Triangle> corner_triangles_of(const Polygon_soup& mesh, std::vector<int>* polygon = nullptr);
+
+/// The same triangles, of points.
 std::vector<Triangle> triangles_of(const Polygon_soup& mesh);
 
-/// Binary glTF 2.0 with one mesh; coordinates fit into single precision.
-std::string encode_glb(const Polygon_soup& mesh);
+/// The names of kind `kind`; null if polygons have none.
+const Face_labels* labels_of(const Mesh_attributes& attributes, const std::string& kind);
+
+/// A name without what ends lines or words: other characters than letters, digits and ._- become '_'. Not
+/// empty.
+std::string word_of(const std::string& name);
+
+/// \name Formats
+/// What a format cannot hold of the attributes is left out.
+/// @{
+std::string encode_obj(const Polygon_soup& mesh, const Mesh_attributes& attributes);
+std::string encode_ply(const Polygon_soup& mesh, const Mesh_attributes& attributes, bool ascii);
+/// Binary glTF 2.0 with one mesh, one primitive for each material; coordinates fit into single precision.
+std::string encode_glb(const Polygon_soup& mesh, const Mesh_attributes& attributes);
+/// VTK's XML, an unstructured grid.
+std::string encode_vtu(const Polygon_soup& mesh, const Mesh_attributes& attributes);
+/// Abaqus' input: elements S4 and S3, a set of elements for each name. \pre no polygon has more than four
+/// corners
+std::string encode_inp(const Polygon_soup& mesh, const Mesh_attributes& attributes);
+/// Gmsh's format 4.1 as text: a physical group for each name. \pre no polygon has more than four corners
+std::string encode_msh(const Polygon_soup& mesh, const Mesh_attributes& attributes);
+/// @}
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

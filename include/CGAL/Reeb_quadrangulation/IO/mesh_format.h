@@ -7,7 +7,7 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The file formats that are read (OFF, OBJ, PLY, STL) and written (those, VTK legacy and binary glTF).
+/// The file formats that are read (OFF, OBJ, PLY, STL) and written (those, VTK, binary glTF, Abaqus and Gmsh).
 enum class Mesh_format {
   automatic, ///< when reading: by the content, then by the name; when writing: by the name
   off,
@@ -15,7 +15,10 @@ enum class Mesh_format {
   ply,
   stl,
   vtk,
-  glb
+  glb,
+  vtu, ///< VTK's XML, an unstructured grid
+  inp, ///< Abaqus' input
+  msh  ///< Gmsh's format 4.1
 };
 
 /// The name of a format as people write it ("OFF", "OBJ", ...).

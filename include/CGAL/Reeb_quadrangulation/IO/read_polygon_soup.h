@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_IO_READ_POLYGON_SOUP_H
 #define CGAL_REEB_QUADRANGULATION_IO_READ_POLYGON_SOUP_H
 
+#include <CGAL/Reeb_quadrangulation/IO/mesh_attributes.h>
 #include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 
@@ -32,6 +33,11 @@ constexpr std::uint64_t largest_mesh_file = std::uint64_t(4) << 30;
 /// not exist in an OBJ, a missing `endsolid`, a binary STL that announces no triangles but has some,
 /// materials and animations of glTF.
 ///
+/// `attributes`, unless it is null, gets what the file tells beside the surface: of OBJ texture coordinates, colours, objects, groups and
+/// materials; of PLY colours (`red green blue`), texture coordinates (`texcoord` of faces; `s t`, `u v` or `texture_u texture_v` of
+/// vertices) and the numbers `object`, `group`, `material` and `chart` of faces. What else is there, and what other formats have, is
+/// named in `Mesh_attributes::others`.
+///
 /// The readers are made for files from strangers: every announced count is compared with the bytes that are
 /// left before memory is taken, and every index with the number of points. Memory is at most about ten times
 /// the file (what several nodes of a glTF share counts for each of them, to a limit) and time is linear in
@@ -39,12 +45,14 @@ constexpr std::uint64_t largest_mesh_file = std::uint64_t(4) << 30;
 /// `check_surface()` can list them. Equal points of an STL file, which has no indices, become one point.
 Result<Polygon_soup> read_polygon_soup(const std::string& path,
                                        std::uint64_t maximum_bytes = largest_mesh_file,
-                                       std::vector<std::string>* notes = nullptr);
+                                       std::vector<std::string>* notes = nullptr,
+                                       Mesh_attributes* attributes = nullptr);
 
 /// The same for `size` bytes at `data`; `format` is what is tried where the content does not tell.
 Result<Polygon_soup> parse_polygon_soup(const char* data, std::size_t size,
                                         Mesh_format format = Mesh_format::automatic,
-                                        std::vector<std::string>* notes = nullptr);
+                                        std::vector<std::string>* notes = nullptr,
+                                        Mesh_attributes* attributes = nullptr);
 
 /// The extensions that are read by Assimp ("3mf dae fbx ..."), in order; empty if the library was built
 /// without it.
