@@ -22,6 +22,7 @@
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
+#include <CGAL/Reeb_quadrangulation/IO/mesh_attributes.h>
 #include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_file.h>
@@ -112,5 +113,6 @@
 #include <CGAL/Reeb_quadrangulation/texture_operator.h>
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
 #include <CGAL/Reeb_quadrangulation/transfer_attribute.h>
+#include <CGAL/Reeb_quadrangulation/transfer_mesh_attributes.h>
 
 #endif // CGAL_REEB_QUADRANGULATION_H
