@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tries the edits of contours, saddles and extrema mechanically on suggested designs and prints how many are accepted, how long an
-// accepted one takes, and which sentences refuse the others: one JSON line a model and kind of edit, then the sums of all models.
-// Usage: bench_acceptance [-n TRIES] [-q QUADS] [-k WORD] [--certify] FILE|FOLDER|globe:K...
-//   -n: at most so many tries of a kind on one model (default 10), spread evenly over the elements; -k: only kinds with this word
+// Tries the edits of contours, saddles and extrema mechanically on suggested designs and prints how many are
+// accepted, how long an accepted one takes, and which sentences refuse the others: one JSON line a model and
+// kind of edit, then the sums of all models. Usage: bench_acceptance [-n TRIES] [-q QUADS] [-k WORD]
+// [--certify] FILE|FOLDER|globe:K...
+//   -n: at most so many tries of a kind on one model (default 10), spread evenly over the elements; -k: only
+//   kinds with this word
 //   --certify: the quads of every accepted edit pass the certificate, or count as "not certified"
 //   globe:K: a ball of K lobes, whose maxima meet in one degenerate saddle (K = 3: a monkey saddle)
 #include "bench_tools.h"
@@ -358,7 +360,8 @@ private:
   std::map<std::string, Tally> m_tallies;
 };
 
-// A ball with lobes around its equator; the poles are vertices, and every ring has vertices at the lobes' tips.
+// A ball with lobes around its equator; the poles are vertices, and every ring has vertices at the lobes'
+// tips.
 Triangle_surface globe(int lobes) {
   const int around = 8 * lobes, rings = 24;
   Triangle_surface s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quad mesh of any origin as the base domain: cutting it into patches, building the locator, and putting in a patch that was subdivided.
-// One JSON line each, seconds of processor time.
+// A quad mesh of any origin as the base domain: cutting it into patches, building the locator, and putting in
+// a patch that was subdivided. One JSON line each, seconds of processor time.
 #include <CGAL/Reeb_quadrangulation/base_domain.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Response times of edits, from the command to all touched charts mapped and meshed, beside a full rebuild and CHOLMOD's
-// factorization and solve of the whole surface in the same run: JSON lines, wall seconds.
+// Response times of edits, from the command to all touched charts mapped and meshed, beside a full rebuild
+// and CHOLMOD's factorization and solve of the whole surface in the same run: JSON lines, wall seconds.
 // Usage: bench_editor [shape [triangles [edits of each kind]]]
 #include "bench_tools.h"
 

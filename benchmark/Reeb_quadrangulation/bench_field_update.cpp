@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The update of the field alone after an edit, on the touched charts, beside CHOLMOD's numeric factorization and solve of the whole
-// surface in the same run: JSON lines, wall seconds. Cutting the surface is not counted, everything from the cut mesh to the values is.
-// Then saddles' loops moved to planes, cut into the surface or enforced by the field alone, and how near they come to the planes;
-// and the time to look for hints.
-// Usage: bench_field_update [shape [triangles [edits of each kind]]]
+// The update of the field alone after an edit, on the touched charts, beside CHOLMOD's numeric factorization
+// and solve of the whole surface in the same run: JSON lines, wall seconds. Cutting the surface is not
+// counted, everything from the cut mesh to the values is. Then saddles' loops moved to planes, cut into the
+// surface or enforced by the field alone, and how near they come to the planes; and the time to look for
+// hints. Usage: bench_field_update [shape [triangles [edits of each kind]]]
 #include "bench_tools.h"
 
 #include "base/parallel_for.h"
@@ -130,7 +130,8 @@ double distance_from_plane(const Editor& editor, const Saddle_loop& loop) {
   return mean / editor.design().edge_length;
 }
 
-// The same loops moved to the same planes in both ways: whole edits, and how near the contours come to the planes.
+// The same loops moved to the same planes in both ways: whole edits, and how near the contours come to the
+// planes.
 void compare_enforcements(Editor& editor, Random_elements& random, int wanted) {
   std::array<std::vector<double>, 2> seconds, distances;
   std::array<int, 2> refused{{0, 0}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From (V, U) to the surface: 100,000 points in charts of up to 400,000 triangles, by the package's search tree and by a CGAL AABB tree
-// over the same triangles in the plane z = 0. One JSON line each, seconds of processor time, best of three.
+// From (V, U) to the surface: 100,000 points in charts of up to 400,000 triangles, by the package's search
+// tree and by a CGAL AABB tree over the same triangles in the plane z = 0. One JSON line each, seconds of
+// processor time, best of three.
 #include "base/compatibility.h"
 #include <CGAL/Reeb_quadrangulation/Chart_locator.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>

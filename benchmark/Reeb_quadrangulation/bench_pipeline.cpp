@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole run and the share of each stage at growing sizes, beside CHOLMOD on the same surface's Laplacian: JSON lines.
-// Usage: bench_pipeline [shape [repetitions [triangles ...]]]. Seconds are CPU time; medians over the repetitions.
+// The whole run and the share of each stage at growing sizes, beside CHOLMOD on the same surface's Laplacian:
+// JSON lines. Usage: bench_pipeline [shape [repetitions [triangles ...]]]. Seconds are CPU time; medians over
+// the repetitions.
 #include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
@@ -36,7 +37,8 @@ double median(std::vector<double> values) {
   std::exit(1);
 }
 
-// One analysis, factorization and solve of the Laplacian with one vertex eliminated: the unit in which runs are told.
+// One analysis, factorization and solve of the Laplacian with one vertex eliminated: the unit in which runs
+// are told.
 double cholmod_seconds(const Triangle_surface& surface) {
   std::vector<char> is_fixed(surface.number_of_vertices(), 0);
   is_fixed[0] = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three solver models, the two ways to enforce constraints and the ways to change them, in one run: JSON lines.
-// Usage: bench_solver [triangles [repetitions]]. Medians of the process's CPU time, except where "wall" is said. For the table of
-// the manual: 20000, 100000, 400000 and 1000000 triangles.
+// The three solver models, the two ways to enforce constraints and the ways to change them, in one run: JSON
+// lines. Usage: bench_solver [triangles [repetitions]]. Medians of the process's CPU time, except where
+// "wall" is said. For the table of the manual: 20000, 100000, 400000 and 1000000 triangles.
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
@@ -61,8 +61,8 @@ double next(std::uint64_t& state) {
   return double((state * 2685821657736338717ull) >> 11) / 9007199254740992.0;
 }
 
-// A bumpy torus with scattered points, whose triangles split their quads either way and whose vertices are numbered
-// at random, as a file's may be: no lattice for the ordering to profit from.
+// A bumpy torus with scattered points, whose triangles split their quads either way and whose vertices are
+// numbered at random, as a file's may be: no lattice for the ordering to profit from.
 Triangle_surface scattered_torus(int triangles) {
   const int n = std::max(3, int(std::sqrt(triangles / 4.0))), m = std::max(3, triangles / (2 * n));
   std::uint64_t state = 88172645463325252ull;
@@ -134,7 +134,8 @@ void set(Harmonic_field& field, int vertex, double value) {
   need(field.set_constraint(vertex, value));
 }
 
-// One constraint moved about, as a drag of an extremum does. The first solve, which orders and factorizes, is told apart.
+// One constraint moved about, as a drag of an extremum does. The first solve, which orders and factorizes, is
+// told apart.
 Json time_moved_constraint(const Triangle_surface& s, const Field_solver_options& options, bool incremental,
                            int repetitions) {
   Harmonic_field field(s, options);

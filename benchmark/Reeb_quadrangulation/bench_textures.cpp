@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every texture operator on grids of growing size, finding an edge by a point, and resolving T-junctions; and on a sphere: placing the
-// vertices of all textures, stitching them, and quads twice as fine where a size field asks for it; and fitting the texture of a twisted bar
-// to its sharp edges. Seconds of wall clock, best of three.
+// Every texture operator on grids of growing size, finding an edge by a point, and resolving T-junctions; and
+// on a sphere: placing the vertices of all textures, stitching them, and quads twice as fine where a size
+// field asks for it; and fitting the texture of a twisted bar to its sharp edges. Seconds of wall clock, best
+// of three.
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/fit_texture.h>

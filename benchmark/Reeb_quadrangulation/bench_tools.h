@@ -32,8 +32,8 @@ inline double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Numeric factorization and solve of the whole surface, the quickest of five, so that a busy machine flatters nobody; the analysis
-// is not counted.
+// Numeric factorization and solve of the whole surface, the quickest of five, so that a busy machine flatters
+// nobody; the analysis is not counted.
 inline double cholmod_seconds(const Triangle_surface& surface) {
   std::vector<char> is_fixed(surface.number_of_vertices(), 0);
   is_fixed[0] = 1;

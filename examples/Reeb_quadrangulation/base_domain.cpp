@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edit one patch of a quad mesh of any origin on the surface that it stands for: everything else keeps its bits.
+// Edit one patch of a quad mesh of any origin on the surface that it stands for: everything else keeps its
+// bits.
 #include <CGAL/Reeb_quadrangulation/base_domain.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>

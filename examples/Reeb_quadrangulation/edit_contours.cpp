@@ -18,7 +18,8 @@ int main() {
   apply(editor, RQ::Subdivide_chart{at(0.5, 0, 0.5)});
   apply(editor, RQ::Move_contour{at(0.5, 0, 0.5), RQ::Point(1, 0.5, 1), Eigen::Vector3d(1, 0, -1), {}});
 
-  // Anchors at the ends of the inner edge: what lies between them moves alone, and has its own count of quads.
+  // Anchors at the ends of the inner edge: what lies between them moves alone, and has its own count of
+  // quads.
   apply(editor,
         RQ::Move_contour{
             at(1, 0.5, 1), RQ::Point(1, 0.5, 1), Eigen::Vector3d(1, 0, -1), {at(1, 0, 1), at(1, 1, 1)}});

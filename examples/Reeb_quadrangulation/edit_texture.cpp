@@ -66,7 +66,8 @@ int main() {
   apply(editor, "a cube subdivision", texture(RQ::Texture_operator::inset_quads, at(0, 1, 0)));
   // One vertex of it is moved to a place on the surface.
   apply(editor, "a vertex dragged", RQ::Drag_vertices{{at(0, 1, 0)}, at(0.05, 1, 0.05)});
-  // The belt is made denser than the caps: T-junctions are resolved in the caps, whose textures stay as they are.
+  // The belt is made denser than the caps: T-junctions are resolved in the caps, whose textures stay as they
+  // are.
   apply(editor, "the belt subdivided alone", texture(RQ::Texture_operator::subdivide, at(0, 1, 0)));
 
   const RQ::Result<RQ::Finished_design> finished = editor.finished_quads();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions on face graphs: quads along the borders of patches, the patches on them, the Reeb graph of any function.
+// Functions on face graphs: quads along the borders of patches, the patches on them, the Reeb graph of any
+// function.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>

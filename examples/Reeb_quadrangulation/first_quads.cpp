@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a mesh file (or, without arguments, a built-in shape) to a certified quad mesh: first_quads [FILE [QUADS.obj]]
+// From a mesh file (or, without arguments, a built-in shape) to a certified quad mesh: first_quads [FILE
+// [QUADS.obj]]
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coarse quads that keep the sharp edges of a shape: the textures of its charts are fitted to them before anything is stitched.
+// Coarse quads that keep the sharp edges of a shape: the textures of its charts are fitted to them before
+// anything is stitched.
 #include "edit_session.h"
 
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A harmonic field on a torus between two points, and then between three: the second solve reuses most of the first.
+// A harmonic field on a torus between two points, and then between three: the second solve reuses most of the
+// first.
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 
 #include <algorithm>

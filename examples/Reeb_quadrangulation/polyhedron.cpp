@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages alone, on a CGAL::Polyhedron_3 with exact coordinates: a field on its vertices, charts on its faces.
+// The stages alone, on a CGAL::Polyhedron_3 with exact coordinates: a field on its vertices, charts on its
+// faces.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prepares a prism with needles on its lids: flips and bisections give triangles on which contours can be traced.
+// Prepares a prism with needles on its lids: flips and bisections give triangles on which contours can be
+// traced.
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 
 #include <cmath>

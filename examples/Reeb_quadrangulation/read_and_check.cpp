@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a mesh file, lists what is wrong with it, mends what can be mended, and tells what came out.
-// Without an argument it makes itself a file: two tetrahedra whose faces do not share points, one face turned round.
+// Without an argument it makes itself a file: two tetrahedra whose faces do not share points, one face turned
+// round.
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>

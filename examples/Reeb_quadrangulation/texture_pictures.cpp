@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draw every texture operator, before and after, and how T-junctions are resolved: SVG files in the folder given, or here.
+// Draw every texture operator, before and after, and how T-junctions are resolved: SVG files in the folder
+// given, or here.
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>
 
@@ -8,7 +9,8 @@
 
 using namespace CGAL::Reeb_quadrangulation;
 
-// A flat quad mesh as SVG, `x` units to the right. Vertices inside that have not four quads get a dot, holes are grey.
+// A flat quad mesh as SVG, `x` units to the right. Vertices inside that have not four quads get a dot, holes
+// are grey.
 static std::string drawing(const Quad_mesh& mesh, const std::vector<char>& inside, double x, double height) {
   std::string out;
   const auto at = [&](int v) {

@@ -22,8 +22,8 @@ struct Design_quads {
   std::optional<CGAL::Reeb_quadrangulation::Mirror_report> mirror;
 };
 
-/// What is told and shown of a design: certificate, statistics, report, pictures. Keeps references to its arguments; `input` is what the
-/// quads stand for.
+/// What is told and shown of a design: certificate, statistics, report, pictures. Keeps references to its
+/// arguments; `input` is what the quads stand for.
 class Design_output {
 public:
   Design_output(const CGAL::Reeb_quadrangulation::Editor& editor, const Design_quads& made,

@@ -4,8 +4,8 @@
 
 namespace reebquad {
 
-/// From now on Ctrl-C (SIGINT) and SIGTERM ask the work to stop: `interrupted()` becomes true. Work that does not
-/// come back within 0.4 s, or a second Ctrl-C, ends the process with exit code 130 at once.
+/// From now on Ctrl-C (SIGINT) and SIGTERM ask the work to stop: `interrupted()` becomes true. Work that does
+/// not come back within 0.4 s, or a second Ctrl-C, ends the process with exit code 130 at once.
 void watch_for_interruption();
 
 bool interrupted();

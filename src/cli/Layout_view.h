@@ -8,7 +8,8 @@
 
 namespace reebquad {
 
-/// A session's design as pictures show it: on the surface with its contours cut in. It refers to the session. \pre The design has charts.
+/// A session's design as pictures show it: on the surface with its contours cut in. It refers to the session.
+/// \pre The design has charts.
 struct Layout_view {
   explicit Layout_view(const CGAL::Reeb_quadrangulation::Editor& editor);
   Layout_view(const Layout_view&) = delete;

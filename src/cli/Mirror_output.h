@@ -12,10 +12,12 @@
 
 namespace reebquad {
 
-/// What `--mirror` takes: auto, x, y, z, -x, -y, -z or PX,PY,PZ,NX,NY,NZ. Nothing for none; a `Failure` for anything else.
+/// What `--mirror` takes: auto, x, y, z, -x, -y, -z or PX,PY,PZ,NX,NY,NZ. Nothing for none; a `Failure` for
+/// anything else.
 std::optional<CGAL::Reeb_quadrangulation::Mirror_request> mirror_request(const std::string& text);
 
-/// Whether the quads are what was asked for: symmetric, and exactly so if their positions are those of a reflection across an axis.
+/// Whether the quads are what was asked for: symmetric, and exactly so if their positions are those of a
+/// reflection across an axis.
 bool is_kept(const CGAL::Reeb_quadrangulation::Mirror_report& report,
              const CGAL::Reeb_quadrangulation::Mirror_check& check);
 

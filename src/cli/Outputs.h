@@ -19,8 +19,8 @@ struct Files {
   std::string pictures; ///< a folder that pictures are written into
 };
 
-/// Throws a usage error if an output is also an input, by whatever name or link, unless the user gave --force; and always if two
-/// outputs are the same file. To be called before anything is read.
+/// Throws a usage error if an output is also an input, by whatever name or link, unless the user gave
+/// --force; and always if two outputs are the same file. To be called before anything is read.
 void keep_inputs(const Command_line& line, const Files& files);
 
 } // namespace reebquad

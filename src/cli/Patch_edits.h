@@ -13,7 +13,8 @@ namespace reebquad {
 /// An edit of a texture from "NAME x,y,z ... [at=F]"; a `Usage_error` says what is wrong with it.
 CGAL::Reeb_quadrangulation::Edit parse_patch_edit(const std::string& text);
 
-/// Edits of patches of a quad mesh by the edits of designs that are for one texture: edit_texture, drag_vertices, relax_texture.
+/// Edits of patches of a quad mesh by the edits of designs that are for one texture: edit_texture,
+/// drag_vertices, relax_texture.
 class Patch_edits {
 public:
   /// Keeps a reference to the domain.

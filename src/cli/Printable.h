@@ -8,9 +8,10 @@
 
 namespace reebquad {
 
-/// Passes text on to another buffer, with control characters as \xNN but for ends of lines and tabulators: a file whose name, or a name in
-/// a file, has an escape sequence in it does not get to command the terminal. The two-byte control characters of UTF-8 (U+0080 to
-/// U+009F) count as well. As long as it exists, a stream writes through it.
+/// Passes text on to another buffer, with control characters as \xNN but for ends of lines and tabulators: a
+/// file whose name, or a name in a file, has an escape sequence in it does not get to command the terminal.
+/// The two-byte control characters of UTF-8 (U+0080 to U+009F) count as well. As long as it exists, a stream
+/// writes through it.
 class Printable : public std::streambuf {
 public:
   explicit Printable(std::ostream& stream);

@@ -24,8 +24,8 @@ struct Replayed_recipe {
   const CGAL::Reeb_quadrangulation::Triangle_surface& input() const { return half ? whole : editor.input(); }
 };
 
-/// Designs the surface in a file by the edits of a recipe. A `Failure` says which edit of `recipe_name` does not apply, that the surface is
-/// not one that can be mirrored so, or that the user interrupted.
+/// Designs the surface in a file by the edits of a recipe. A `Failure` says which edit of `recipe_name` does
+/// not apply, that the surface is not one that can be mirrored so, or that the user interrupted.
 Replayed_recipe replay_recipe(const std::string& input, const CGAL::Reeb_quadrangulation::Recipe& recipe,
                               const std::string& recipe_name, Terminal_observer& observer);
 

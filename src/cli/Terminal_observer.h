@@ -9,8 +9,8 @@
 
 namespace reebquad {
 
-/// Shows progress on standard error once work has lasted a second: on a terminal one line that is rewritten, else one
-/// plain line a stage. Passes Ctrl-C on to the library.
+/// Shows progress on standard error once work has lasted a second: on a terminal one line that is rewritten,
+/// else one plain line a stage. Passes Ctrl-C on to the library.
 class Terminal_observer : public CGAL::Reeb_quadrangulation::Observer {
 public:
   explicit Terminal_observer(bool quiet);

@@ -21,7 +21,8 @@ std::vector<Text_line> lines_of(const std::string& text);
 /// The lines of a file of at most 64 MiB; a `Failure` says why it cannot be read.
 std::vector<Text_line> read_lines(const std::string& file);
 
-/// Extrema from lines "min x y z" and "max x y z". Fails with `malformed_file`, naming the line, and where there is none.
+/// Extrema from lines "min x y z" and "max x y z". Fails with `malformed_file`, naming the line, and where
+/// there is none.
 CGAL::Reeb_quadrangulation::Result<std::vector<CGAL::Reeb_quadrangulation::Placed_extremum>>
 parse_extrema(const std::vector<Text_line>& lines);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// reebquad batch IN... -o DIR: a collection of meshes, each run in a process of its own, with a record of each.
+// reebquad batch IN... -o DIR: a collection of meshes, each run in a process of its own, with a record of
+// each.
 #include "Batch_child.h"
 #include "Batch_record.h"
 #include "Batch_tables.h"

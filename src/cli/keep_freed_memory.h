@@ -12,9 +12,9 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// Lets large arrays reuse what was freed before, for a process that does one run and ends: glibc otherwise returns them to
-/// the system one by one, and a tenth of a run at a million triangles goes into getting zeroed pages again. Changes nothing
-/// elsewhere, and no result.
+/// Lets large arrays reuse what was freed before, for a process that does one run and ends: glibc otherwise
+/// returns them to the system one by one, and a tenth of a run at a million triangles goes into getting
+/// zeroed pages again. Changes nothing elsewhere, and no result.
 inline void keep_freed_memory() {
 #if defined(__GLIBC__)
   constexpr int gigabyte = 1 << 30;

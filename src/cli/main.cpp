@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dispatcher: finds the subcommand, runs it, and turns what escapes from it into a sentence and an exit code.
+// The dispatcher: finds the subcommand, runs it, and turns what escapes from it into a sentence and an exit
+// code.
 #include "Command.h"
 #include "Interruption.h"
 #include "Printable.h"
@@ -72,7 +73,8 @@ Exit_code guarded_dispatch(const Arguments& arguments) {
   }
 }
 
-/// What no one catches, as what is thrown in another thread: there is no stack to go back to, and perhaps no memory.
+/// What no one catches, as what is thrown in another thread: there is no stack to go back to, and perhaps no
+/// memory.
 [[noreturn]] void end_unguarded() {
   const char* sentence = "reebquad: an error that is a defect of the program\n";
   try {
@@ -88,7 +90,8 @@ Exit_code guarded_dispatch(const Arguments& arguments) {
   ::_exit(static_cast<int>(Exit_code::other_failure));
 }
 
-/// What a process must expect of a shell: pipes that are closed and files that may not grow are errors of writing, which are told.
+/// What a process must expect of a shell: pipes that are closed and files that may not grow are errors of
+/// writing, which are told.
 void prepare_process() {
   watch_for_interruption(); // first of all, so that an early Ctrl-C gets its exit code too
   std::signal(SIGPIPE, SIG_IGN);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// reebquad texture QUADS --on INPUT: edits patches of a quad mesh of any origin, which stays as it is everywhere else.
+// reebquad texture QUADS --on INPUT: edits patches of a quad mesh of any origin, which stays as it is
+// everywhere else.
 #include "Command.h"
 #include "Input.h"
 #include "Interruption.h"

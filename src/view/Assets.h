@@ -21,8 +21,8 @@ const std::vector<Asset>& assets();
 /// Why the program has no page, as the end of a sentence ("npm was not installed"); empty if it has one.
 const char* missing_page_reason();
 
-/// The file that a request's path names ("/" is the page itself), or null. Only whole names are compared: a path that is
-/// none of ours leads nowhere, whatever it contains.
+/// The file that a request's path names ("/" is the page itself), or null. Only whole names are compared: a
+/// path that is none of ours leads nowhere, whatever it contains.
 const Asset* find_asset(std::string_view path);
 
 } // namespace studio

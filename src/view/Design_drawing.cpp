@@ -73,7 +73,8 @@ void Design_drawing::begin(const Design& design) {
 void Design_drawing::add(int index) {
   const Drawn_chart& drawn = *m_charts[index];
   const Chart& chart = *drawn.chart->chart;
-  // The chart's own vertices, which have no number in the network, are the last ones of it and get the next numbers.
+  // The chart's own vertices, which have no number in the network, are the last ones of it and get the next
+  // numbers.
   const int first_own = int(chart.vertex_origin.size() - chart.split_chords.size()),
             next = int(m_cut.surface.points.size());
   const auto number = [&](int v) { return v < first_own ? chart.vertex_origin[v] : next + v - first_own; };

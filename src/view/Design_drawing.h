@@ -8,8 +8,9 @@
 namespace reebquad {
 namespace studio {
 
-/// The surface of a design with its contours cut in, put together from the charts. What was found out about a chart is kept as long as
-/// the chart is, so that an edit costs what is new, and O(F) to write down which chart each face belongs to.
+/// The surface of a design with its contours cut in, put together from the charts. What was found out about a
+/// chart is kept as long as the chart is, so that an edit costs what is new, and O(F) to write down which
+/// chart each face belongs to.
 class Design_drawing {
 public:
   using Design = CGAL::Reeb_quadrangulation::Design;
@@ -19,7 +20,8 @@ public:
 
   /// Draws a design that lives on the surface.
   void update(const Design& design);
-  /// What `update()` drew; with references to this and to the design. \pre `design` is the one that was drawn, `graph` its graph
+  /// What `update()` drew; with references to this and to the design. \pre `design` is the one that was
+  /// drawn, `graph` its graph
   Charted_surface charted(const Design& design, const CGAL::Reeb_quadrangulation::Reeb_graph& graph) const;
 
 private:

@@ -65,7 +65,8 @@ public:
   explicit Frame_view(const std::string& message);
 
   Json header; ///< `layer`, `arrays`, `data`, `patch`
-  /// The numbers of an array of bytes, or the bits of those of an array of another type; none if there is no such array.
+  /// The numbers of an array of bytes, or the bits of those of an array of another type; none if there is no
+  /// such array.
   std::vector<std::uint8_t> bytes(const std::string& name) const;
   std::vector<std::uint32_t> words(const std::string& name) const;
 

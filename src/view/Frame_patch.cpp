@@ -29,8 +29,8 @@ void append_signed(std::vector<std::uint8_t>& bytes, std::int64_t number) {
   append_number(bytes, number < 0 ? 2 * std::uint64_t(-(number + 1)) + 1 : 2 * std::uint64_t(number));
 }
 
-/// Finds what of the new array stands in the old one: first where it would be if nothing was put in or taken out, then, where the lengths
-/// say that something was, anywhere, by the blocks of the old array.
+/// Finds what of the new array stands in the old one: first where it would be if nothing was put in or taken
+/// out, then, where the lengths say that something was, anywhere, by the blocks of the old array.
 template <class T> class Comparison {
 public:
   /// If it `repeats`, the new numbers of a step are all the same and stand once.
@@ -105,8 +105,8 @@ private:
       m_blocks; ///< hash and place of the blocks of the old array
 };
 
-/// What most of the places with a number have instead of it now, where that is another one: a chart that is cut gets a new
-/// identity, and so all its faces have.
+/// What most of the places with a number have instead of it now, where that is another one: a chart that is
+/// cut gets a new identity, and so all its faces have.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> renamed(const std::vector<std::uint32_t>& before,
                                                              const std::vector<std::uint32_t>& after) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> result;

@@ -26,7 +26,8 @@ std::int32_t chart_id(const Layer_source& source, int chart) {
   return chart < 0 ? -1 : source.chart_ids[chart];
 }
 
-/// The faces that contours cross, in pieces: what of the embedded surface is not the surface's own, with all that is known there.
+/// The faces that contours cross, in pieces: what of the embedded surface is not the surface's own, with all
+/// that is known there.
 Frame cuts_frame(const Layer_source& source) {
   const Charted_surface& charted = *source.charted;
   const Triangle_surface &base = charted.base, &cut = charted.embedding.surface;

@@ -38,14 +38,15 @@ struct Layer_source {
   std::vector<CGAL::Reeb_quadrangulation::Design_extremum> extrema;
   std::vector<int> counts; ///< of quads along contour edges, where they are known
 
-  /// The quads as they are on the charts. A triangle is a quad whose last corner stands twice, also in `quads`.
+  /// The quads as they are on the charts. A triangle is a quad whose last corner stands twice, also in
+  /// `quads`.
   const CGAL::Reeb_quadrangulation::Quad_mesh* textures = nullptr;
   const CGAL::Reeb_quadrangulation::Quad_mesh* quads = nullptr; ///< the same when they are relaxed
   std::vector<int> chart_of_quad;
 };
 
-/// Makes the layers "surface", "cuts", "field", "charts", "contours", "critical", "reeb", "textures" and "quads", as far as there is something to
-/// show, as src/studio/protocol.md describes them.
+/// Makes the layers "surface", "cuts", "field", "charts", "contours", "critical", "reeb", "textures" and
+/// "quads", as far as there is something to show, as src/studio/protocol.md describes them.
 Layers make_layers(const Layer_source& source);
 
 } // namespace studio

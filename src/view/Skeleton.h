@@ -7,7 +7,8 @@
 namespace reebquad {
 namespace studio {
 
-/// The Reeb graph drawn in space: nodes in the middle of their contours, arcs through the middles of their charts' levels.
+/// The Reeb graph drawn in space: nodes in the middle of their contours, arcs through the middles of their
+/// charts' levels.
 struct Skeleton {
   std::vector<CGAL::Reeb_quadrangulation::Point> nodes;
   std::vector<std::vector<CGAL::Reeb_quadrangulation::Point>> arcs; ///< one for each chart, from node to node

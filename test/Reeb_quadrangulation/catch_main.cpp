@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The main function of every test. A run that passed, but could not find the real meshes of some cases, returns 77: skipped.
+// The main function of every test. A run that passed, but could not find the real meshes of some cases,
+// returns 77: skipped.
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 

@@ -116,8 +116,8 @@ inline void check_report(const Edit_report& report, const Charts& before, const 
   CHECK(report.remeshed_charts == remeshed);
 }
 
-// An edit that applies. It leaves certified quads, says what it changed, can be undone and redone, and gives what the list of edits
-// gives from scratch.
+// An edit that applies. It leaves certified quads, says what it changed, can be undone and redone, and gives
+// what the list of edits gives from scratch.
 inline Edit_report applied(Editor& editor, const Edit& edit) {
   INFO(to_json(edit));
   const Charts before = charts_of(editor);

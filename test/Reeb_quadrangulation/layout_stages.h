@@ -65,7 +65,8 @@ struct Stages {
   int folds = 0;   ///< see `folds()`
 };
 
-/// Triangles of a chart's map that are turned over by more than the rounding of U and V, whose values reach 1.
+/// Triangles of a chart's map that are turned over by more than the rounding of U and V, whose values
+/// reach 1.
 inline int folds(const Chart& chart, const Chart_parameterization& map) {
   int count = 0;
   for (int f = 0; f < chart.mesh.number_of_faces(); ++f) {
@@ -138,8 +139,8 @@ inline Result<Stages> run(const Triangle_surface& s, const Designed_field& field
   return result;
 }
 
-/// A sentence for each check of topology and valences that failed. Tiny surfaces need not be embedded in space, so
-/// nothing is asked about inside and outside.
+/// A sentence for each check of topology and valences that failed. Tiny surfaces need not be embedded in
+/// space, so nothing is asked about inside and outside.
 inline std::string faults(const Quad_mesh& mesh, const Triangle_surface& s,
                           const std::map<int, int>& valences,
                           const std::vector<std::pair<int, int>>& components = {}) {

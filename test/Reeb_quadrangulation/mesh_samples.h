@@ -61,8 +61,8 @@ inline std::string binary_gltf(std::string json, std::string bytes) {
   return out + std::string("BIN\0", 4) + bytes;
 }
 
-/// The tetrahedron as glTF that exporters write: two nodes under a turned and moved one place the same mesh, one of them
-/// mirrored; one primitive of shorts with stride, one strip without indices.
+/// The tetrahedron as glTF that exporters write: two nodes under a turned and moved one place the same mesh,
+/// one of them mirrored; one primitive of shorts with stride, one strip without indices.
 inline std::string rich_gltf() {
   const Polygon_soup s = tetrahedron();
   std::string bytes;
@@ -109,8 +109,8 @@ inline std::string collada_tetrahedron() {
          R"(<scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-/// A binary PLY with what other programs add: an unknown element in front, a colour and a list at the points, a
-/// quality at the faces; coordinates are doubles, indices unsigned shorts.
+/// A binary PLY with what other programs add: an unknown element in front, a colour and a list at the points,
+/// a quality at the faces; coordinates are doubles, indices unsigned shorts.
 inline std::string rich_binary_ply(const Polygon_soup& s, bool big) {
   std::string out =
       std::string("ply\r\nformat binary_") + (big ? "big" : "little") +

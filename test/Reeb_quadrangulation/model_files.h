@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real meshes, which are no part of the project: tests that need them are skipped, loudly, where their folder is missing.
+// Real meshes, which are no part of the project: tests that need them are skipped, loudly, where their folder
+// is missing.
 #ifndef REEBQUAD_TEST_MODEL_FILES_H
 #define REEBQUAD_TEST_MODEL_FILES_H
 
@@ -11,9 +12,9 @@
 #include <optional>
 #include <string>
 
-/// The path of a file in the folder of real meshes (REEBQUAD_MODELS_DIR). Where it is missing, says so and has the program end
-/// as skipped, which ctest and ./check count. Only for test cases with the tag [models], which ctest runs by themselves: a case
-/// without it fails here.
+/// The path of a file in the folder of real meshes (REEBQUAD_MODELS_DIR). Where it is missing, says so and
+/// has the program end as skipped, which ctest and ./check count. Only for test cases with the tag [models],
+/// which ctest runs by themselves: a case without it fails here.
 std::optional<std::string> model_file(const std::string& name);
 
 /// The largest component of a mesh in that folder, mended, or nothing where it is missing.

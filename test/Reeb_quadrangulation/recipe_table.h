@@ -91,8 +91,8 @@ inline bool has_corners(const Quad_mesh& mesh, const Entry& entry, const Triangl
   });
 }
 
-/// Replays a recipe on a surface: the quads are certified, with exactly the valences of the table, and every state comes back to the
-/// byte by undo and redo.
+/// Replays a recipe on a surface: the quads are certified, with exactly the valences of the table, and every
+/// state comes back to the byte by undo and redo.
 inline void check(const Entry& entry, const Triangle_surface& surface) {
   INFO(entry.name << " on " << surface.number_of_faces() << " triangles");
   const Recipe recipe = recipes::recipe(entry.name);

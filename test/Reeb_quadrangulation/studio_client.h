@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A client of the studio's server that can also be rude: raw sockets, with the handshake and the frames of a WebSocket
-// (RFC 6455) written out.
+// A client of the studio's server that can also be rude: raw sockets, with the handshake and the frames of a
+// WebSocket (RFC 6455) written out.
 #ifndef REEBQUAD_TEST_STUDIO_CLIENT_H
 #define REEBQUAD_TEST_STUDIO_CLIENT_H
 

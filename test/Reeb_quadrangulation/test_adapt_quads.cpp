@@ -180,7 +180,8 @@ TEST_CASE("quads at sharp edges are much smaller than those on the flat sides") 
   REQUIRE(adapted);
   CHECK(faults(adapted->mesh, s, adapted->valences) == "");
   CHECK(std::abs(double(adapted->mesh.quads.size()) / 1500 - 1) < 0.15);
-  // The sharp edges of the three unit cubes run along integer coordinates: how many of the three are near an integer?
+  // The sharp edges of the three unit cubes run along integer coordinates: how many of the three are near an
+  // integer?
   double at_edges = 0, inside = 0;
   int edges = 0, insides = 0;
   for (const Quad& q : adapted->mesh.quads) {

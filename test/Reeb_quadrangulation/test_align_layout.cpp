@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The base complex of a design, told from its integers; and the edit that brings extraordinary vertices in line.
+// The base complex of a design, told from its integers; and the edit that brings extraordinary vertices in
+// line.
 #include "editor_sessions.h"
 
 #include "design/layout_lines.h"
@@ -49,7 +50,8 @@ Surface_point inside(const Editor& editor, const Design_chart& chart) {
   return point;
 }
 
-// The shapes that are made here are symmetric and begin in line: their annuli are turned by one and two columns.
+// The shapes that are made here are symmetric and begin in line: their annuli are turned by one and two
+// columns.
 Editor out_of_line(const std::string& name) {
   Editor editor = suggested(name);
   std::vector<Surface_point> annuli;

@@ -67,7 +67,8 @@ bool same_bytes(const Point& a, const Point& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
 }
 
-/// Everything outside of the patches `edited` is as it was: the same quads of vertices with the same bytes, in the same order.
+/// Everything outside of the patches `edited` is as it was: the same quads of vertices with the same bytes,
+/// in the same order.
 void check_outside(const Quad_mesh& before, const Base_domain& domain, const Textured_base& after,
                    const std::set<int>& edited) {
   REQUIRE(after.vertex_origin.size() == after.mesh.points.size());

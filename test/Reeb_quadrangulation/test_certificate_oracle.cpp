@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate against other people's answers: CGAL's Polygon_mesh_processing for intersections, and for topology a
-// table of real meshes with the genus, boundary loops and components that their sources give.
+// The certificate against other people's answers: CGAL's Polygon_mesh_processing for intersections, and for
+// topology a table of real meshes with the genus, boundary loops and components that their sources give.
 #include "model_files.h"
 #include "tiny_quads.h"
 
@@ -26,7 +26,8 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 namespace {
 
-// The pairs of quads of which CGAL says that their triangles intersect; quads split as the certificate defines it.
+// The pairs of quads of which CGAL says that their triangles intersect; quads split as the certificate
+// defines it.
 Pairs pairs_by_cgal(const Quad_mesh& quads) {
   Mesh mesh;
   for (const Point& p : quads.points) mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
@@ -103,7 +104,8 @@ TEST_CASE("Crumpled tori intersect where CGAL says so") {
       for (Point& p : mesh.points) p = (16 * p).array().round() / 16;
     CAPTURE(run);
     const Pairs pairs = pairs_by_cgal(mesh);
-    // CGAL counts a triangle without area as intersecting itself or its neighbours; the certificate leaves it out.
+    // CGAL counts a triangle without area as intersecting itself or its neighbours; the certificate leaves it
+    // out.
     const Certificate c = certify({mesh});
     if (run % 2 == 0) CHECK(c.intersecting_quads == pairs);
     const Pairs& mine = c.intersecting_quads;

@@ -194,7 +194,8 @@ TEST_CASE("points are found where they are") {
 }
 
 TEST_CASE("a point outside of a disc's border, in a corner that it cuts off, is put on the border nearby") {
-  // The cap around a corner of a tetrahedron has three border vertices, so four corners cannot all be vertices.
+  // The cap around a corner of a tetrahedron has three border vertices, so four corners cannot all be
+  // vertices.
   const Named_run& r = runs()[0];
   REQUIRE(r.name == "tetrahedron");
   for (std::size_t c = 0; c < r.run.maps.size(); ++c) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's contract with the shell: exit codes, sentences, and files that are written whole or not at all.
+// The program's contract with the shell: exit codes, sentences, and files that are written whole or not at
+// all.
 #include "cli_process.h"
 
 #include <random>

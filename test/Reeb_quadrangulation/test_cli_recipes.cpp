@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's statistics (figures 13 to 15) of our designs, as `reebquad replay` reports them: prints the table of textures.md.
+// The paper's statistics (figures 13 to 15) of our designs, as `reebquad replay` reports them: prints the
+// table of textures.md.
 #include "cli_process.h"
 #include "model_files.h"
 #include "recipe_table.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours enforced by the field alone: what they ask of the vertices around them, and what the field then does.
+// Contours enforced by the field alone: what they ask of the vertices around them, and what the field then
+// does.
 #include "editor_sessions.h"
 #include "tiny_surfaces.h"
 

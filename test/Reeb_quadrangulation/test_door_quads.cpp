@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quads of face graphs by quadrangulate() and an editing session: what the user asks to be kept, sizes, components, maps.
+// Quads of face graphs by quadrangulate() and an editing session: what the user asks to be kept, sizes,
+// components, maps.
 #include "pointed_graph.h"
 
 #include <CGAL/Reeb_quadrangulation/create_editor.h>

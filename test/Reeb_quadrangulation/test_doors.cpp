@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions on face graphs one by one, on Surface_mesh, Polyhedron_3, and a graph without points of its own.
+// The functions on face graphs one by one, on Surface_mesh, Polyhedron_3, and a graph without points of its
+// own.
 #include "pointed_graph.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

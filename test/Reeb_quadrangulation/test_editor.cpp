@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each edit as a theorem on small shapes: what it changes, what it leaves alone, how it is refused, and that every state comes back.
+// Each edit as a theorem on small shapes: what it changes, what it leaves alone, how it is refused, and that
+// every state comes back.
 #include "editor_sessions.h"
 
 #include <algorithm>

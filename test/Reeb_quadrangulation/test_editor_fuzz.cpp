@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random edits, undo and redo: whatever is asked, the quads are certified, and every state comes back to the byte.
+// Random edits, undo and redo: whatever is asked, the quads are certified, and every state comes back to the
+// byte.
 #include "editor_sessions.h"
 #include "random_edits.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Connectivity textures as edits of a design: each operator, what stays, what is refused, and that every state comes back.
+// Connectivity textures as edits of a design: each operator, what stays, what is refused, and that every
+// state comes back.
 #include "editor_sessions.h"
 
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
@@ -276,8 +277,8 @@ TEST_CASE(
     "edited textures stay when a saddle moves with all its contours, and are made on the way back too") {
   Editor editor = torus_session();
   const Surface_point saddle = at(-0.6, 0, 0), other = at(0.6, 0, 0);
-  // The chart below the saddle, whose texture is inset; an arm, which is subdivided alone, with a vertex that is dragged; the other arm stays
-  // regular, and the chart above the other saddle has no contour of this one.
+  // The chart below the saddle, whose texture is inset; an arm, which is subdivided alone, with a vertex that
+  // is dragged; the other arm stays regular, and the chart above the other saddle has no contour of this one.
   const Surface_point below = at(-1, 0, 0.4), left = at(0, 1.4, 0), right = at(0, -1.4, 0),
                       far = at(1, 0, 0.4);
   for (const Surface_point& place : {below, far})
@@ -433,7 +434,8 @@ TEST_CASE("the members of texture edits go through JSON") {
 }
 
 TEST_CASE("a texture edit that would fold quads of two charts onto each other is refused") {
-  // At the end of a half-pole two quads of the cap meet; across its contour two others would have the same corners.
+  // At the end of a half-pole two quads of the cap meet; across its contour two others would have the same
+  // corners.
   Editor editor = session(shape("sphere", 1200), extrema({0, 0, -1}, {{0, 0, 1}}), 32);
   applied(editor, Split_pole{at(0, 0, -1), Pole_kind::half, {}});
   const Surface_point pole = at(0, 0, -1);
@@ -556,7 +558,8 @@ TEST_CASE("a concave quad can be subdivided, and polychords go across each of it
     return a.x() * b.y() - a.y() * b.x();
   };
   REQUIRE(side(0) < 0);
-  // Each of its edges can be named, also by what goes on through all charts; where that inverts a quad, the reason is given.
+  // Each of its edges can be named, also by what goes on through all charts; where that inverts a quad, the
+  // reason is given.
   int inserted = 0;
   for (int i = 0; i < 4; ++i)
     for (const Edit_scope scope : {Edit_scope::chart, Edit_scope::surface}) {

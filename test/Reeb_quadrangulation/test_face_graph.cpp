@@ -29,7 +29,8 @@ using Polyhedron = CGAL::Polyhedron_3<Inexact>;
 
 namespace {
 
-// The face graph of a surface. Coordinates are sums of two, so that an exact kernel has something to evaluate.
+// The face graph of a surface. Coordinates are sums of two, so that an exact kernel has something to
+// evaluate.
 template <class Graph> Graph face_graph(const Triangle_surface& s) {
   Graph graph;
   const auto points = get(CGAL::vertex_point, graph);
@@ -284,7 +285,8 @@ TEMPLATE_TEST_CASE("stages write to property maps", "", Inexact_mesh, Polyhedron
   CHECK(*used.rbegin() + 1 == int(used.size()));
 }
 
-// --- ReebChartTraits -------------------------------------------------------------------------------------------------------
+// --- ReebChartTraits
+// -------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -385,7 +387,8 @@ TEST_CASE("the pipeline takes chart traits") {
   CHECK(!quadrangulate(torus_mesh(), c, parameters::chart_traits(Constant_traits{-1})));
 }
 
-// --- QuadTextureTraits -----------------------------------------------------------------------------------------------------
+// --- QuadTextureTraits
+// -----------------------------------------------------------------------------------------------------
 
 namespace {
 

@@ -227,7 +227,8 @@ TEST_CASE(
   Vertex_constraints constraints;
   constraints.curves.push_back(make_surface_curve({Point(0.5 * n, 0, 0), Point(0.5 * n, n, 0)}, false));
   constraints.curves[0].normals = {Point(-1, 0, 1).normalized()};
-  // Every second vertex of the middle line slides, so neighbours on the curve share no quad, and pushed together, so that they bound each other.
+  // Every second vertex of the middle line slides, so neighbours on the curve share no quad, and pushed
+  // together, so that they bound each other.
   for (int y = 2; y < n - 1; y += 2) constraints.places.push_back({y * (n + 1) + n / 2, 0, 0.55 * y + 0.2});
   Relax_options one, four;
   four.threads = 4;

@@ -221,8 +221,8 @@ std::string name_of(const Field_solver_options& options) {
          (options.constraints == Constraint_method::penalty ? ", penalty" : ", elimination");
 }
 
-// How far penalties may leave the field from that of elimination: at a constraint by the flux there over the penalty,
-// elsewhere by no more (weights are positive).
+// How far penalties may leave the field from that of elimination: at a constraint by the flux there over the
+// penalty, elsewhere by no more (weights are positive).
 double penalty_bound(const Triangle_surface& s, const Edge_weights& weights, const std::vector<double>& f,
                      const std::map<int, double>& constraints) {
   const Symmetric_matrix m = assemble(s, weights).matrix;

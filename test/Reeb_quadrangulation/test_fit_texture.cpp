@@ -188,7 +188,8 @@ TEST_CASE("an edited texture is fitted too, and anchors stay where they are") {
   CHECK(anchored_vertices(chart().texture).size() > 10);
   CHECK(quad_statistics(quads_of(chart()), &chart().chart->mesh).covered_sharp_edges >
         *quad_statistics(quads_of(before), &before.chart->mesh).covered_sharp_edges + 0.2);
-  // Everything that was fitted is an anchor: a second time there is nothing left to do, or only other vertices go.
+  // Everything that was fitted is an anchor: a second time there is nothing left to do, or only other
+  // vertices go.
   const std::vector<int> anchors = anchored_vertices(chart().texture);
   if (editor.apply(Fit_texture{inside})) {
     const std::vector<int> more = anchored_vertices(chart().texture);

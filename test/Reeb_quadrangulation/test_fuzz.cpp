@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random meshes, random extrema, random fields: whatever is asked, the quads are certified and the maps do not fold.
+// Random meshes, random extrema, random fields: whatever is asked, the quads are certified and the maps do
+// not fold.
 #include "layout_stages.h"
 
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
@@ -116,7 +117,8 @@ Triangle_surface random_surface(Random& random, bool open) {
   return std::move(prepared->surface);
 }
 
-// Up to eight distinct interior vertices, often neighbours, with labels so that there is a minimum and a maximum.
+// Up to eight distinct interior vertices, often neighbours, with labels so that there is a minimum and a
+// maximum.
 void choose_extrema(const Triangle_surface& s, Random& random, Designed_field& field) {
   std::vector<char> on_boundary(s.points.size(), 0);
   const auto loops = boundary_loops(s);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours that give way, saddles that move wherever their charts are, and saddles that are split whatever contours they share.
+// Contours that give way, saddles that move wherever their charts are, and saddles that are split whatever
+// contours they share.
 #include "editor_sessions.h"
 #include "tiny_surfaces.h"
 
@@ -42,7 +43,8 @@ std::vector<int> loops_at(const Editor& editor, const Point& node) {
   return loops;
 }
 
-// A ball with lobes around its equator, maxima at their tips and one minimum: one saddle of as many loops, at the north pole.
+// A ball with lobes around its equator, maxima at their tips and one minimum: one saddle of as many loops, at
+// the north pole.
 Editor globe_session(int lobes) {
   const int around = 8 * lobes, rings = 24;
   Triangle_surface s;

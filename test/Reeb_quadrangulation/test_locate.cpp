@@ -29,7 +29,8 @@ struct Mapped_chart {
   }
 };
 
-// A disc around the tip of a pointed hat: its map shrinks by a factor at every ring, in the end to less than a number can tell.
+// A disc around the tip of a pointed hat: its map shrinks by a factor at every ring, in the end to less than
+// a number can tell.
 Mapped_chart hat(double height) {
   Mapped_chart hat{"hat of height " + std::to_string(height), {}, {}};
   Chart& chart = hat.chart;

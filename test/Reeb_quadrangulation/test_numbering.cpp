@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface whose vertices have other numbers gets quads of the same quality, though ties are decided otherwise.
+// A surface whose vertices have other numbers gets quads of the same quality, though ties are decided
+// otherwise.
 
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole poles: the quads leave a hole, a fan of triangles fills it, and nothing pretends that the mesh is all-quad.
+// Whole poles: the quads leave a hole, a fan of triangles fills it, and nothing pretends that the mesh is
+// all-quad.
 #include "editor_sessions.h"
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>

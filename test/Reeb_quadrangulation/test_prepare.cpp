@@ -37,7 +37,8 @@ double longest_edge(const Triangle_surface& s) {
   return longest;
 }
 
-// The connectivity that was kept up in place is the one computed anew; boundary vertices start at the boundary.
+// The connectivity that was kept up in place is the one computed anew; boundary vertices start at the
+// boundary.
 void require_consistent(const Triangle_surface& s) {
   Triangle_surface fresh = s;
   const auto result = fresh.connect();

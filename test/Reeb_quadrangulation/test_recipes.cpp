@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The designs of the paper, replayed on built-in shapes: each has exactly the extraordinary vertices that it is for.
+// The designs of the paper, replayed on built-in shapes: each has exactly the extraordinary vertices that it
+// is for.
 #include "recipe_table.h"
 
 #include <CGAL/Reeb_quadrangulation/shapes.h>
@@ -12,8 +13,8 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-// The unit sphere by meridians and parallels, the same after a sixth of a turn: the field of three maxima that lie so has a monkey
-// saddle at the north pole.
+// The unit sphere by meridians and parallels, the same after a sixth of a turn: the field of three maxima
+// that lie so has a monkey saddle at the north pole.
 Triangle_surface globe(int meridians, int parallels) {
   Triangle_surface s;
   for (int i = 1; i < parallels; ++i)

@@ -14,7 +14,8 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-// A sphere with two horns, which any suggestion finds, and a smaller one, which none of great persistence does.
+// A sphere with two horns, which any suggestion finds, and a smaller one, which none of great persistence
+// does.
 Triangle_surface horned_sphere(int triangles) {
   Result<Triangle_surface> sphere = make_shape("sphere", triangles);
   REQUIRE(bool(sphere));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever solves the systems and meets the constraints: the same combinatorics, and fields that differ by rounding or by what
-// penalties leave. From the library, the editor, recipes and the command line.
+// Whatever solves the systems and meets the constraints: the same combinatorics, and fields that differ by
+// rounding or by what penalties leave. From the library, the editor, recipes and the command line.
 #include "cli_process.h"
 #include "editor_sessions.h"
 

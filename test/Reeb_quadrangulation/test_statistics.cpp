@@ -153,7 +153,8 @@ TEST_CASE("The sharp edges of a cube are covered by quads whose edges are there,
     surface.triangles.push_back({q[0], q[2], q[3]});
   }
   CHECK(quad_statistics(cube, &surface).covered_sharp_edges.value() == Approx(1));
-  // One corner moves inwards: its three edges of twelve are off by more than a twentieth but for their far ends.
+  // One corner moves inwards: its three edges of twelve are off by more than a twentieth but for their far
+  // ends.
   Quad_mesh dented = cube;
   const Point centre = 0.5 * (cube.points[cube.quads[0][0]] + cube.points[cube.quads[0][2]]);
   Point& corner = dented.points[cube.quads[0][0]];

@@ -258,7 +258,8 @@ TEST_CASE("scanned and modelled shapes get one extremum for each limb", "[models
     const char* file;
     std::size_t extrema; // at a persistence of a tenth
   };
-  // Octopus: eight arms and the head. Camel: four feet, snout and rump. Hand: five fingers and the wrist's end.
+  // Octopus: eight arms and the head. Camel: four feet, snout and rump. Hand: five fingers and the wrist's
+  // end.
   for (const Expected& expected : {Expected{"octopus.obj", 9},
                                    {"camel.off", 6},
                                    {"hand.obj", 6},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hints as theorems on small shapes: where one must be, where none may be, that each one keeps its promise, and that taking them ends.
+// Hints as theorems on small shapes: where one must be, where none may be, that each one keeps its promise,
+// and that taking them ends.
 #include "editor_sessions.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>

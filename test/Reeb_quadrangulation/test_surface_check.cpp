@@ -167,7 +167,8 @@ Polygon_soup klein(int m = 6, int n = 5) {
 
 } // namespace
 
-// ---------------------------------------------------------------------------------------------------------- check
+// ----------------------------------------------------------------------------------------------------------
+// check
 
 TEST_CASE("a closed surface is clean, and its genus is known") {
   for (const auto& [surface, expected] : {std::pair(tiny::tetrahedron(), 0), std::pair(tiny::octahedron(), 0),
@@ -301,7 +302,8 @@ TEST_CASE("the JSON text says what the check says") {
   CHECK(json["bounding_box"][1] == std::vector<double>{1, 1, 1});
 }
 
-// ----------------------------------------------------------------------------------------------------------- mend
+// -----------------------------------------------------------------------------------------------------------
+// mend
 
 TEST_CASE("a clean surface comes back as it was") {
   for (const Triangle_surface& s :
@@ -918,7 +920,8 @@ TEST_CASE("whatever the soup, what comes out of mending is a surface") {
   };
   int taken = 0, taken_again = 0;
   for (int run = 0; run < 3000; ++run) {
-    // A few points on a tiny grid, so that equal and collinear ones are frequent, and on a part of a good surface.
+    // A few points on a tiny grid, so that equal and collinear ones are frequent, and on a part of a good
+    // surface.
     Polygon_soup s = run % 3 == 0   ? polygon_soup(tiny::torus(4, 4))
                      : run % 3 == 1 ? samples::cube()
                                     : Polygon_soup();
@@ -943,7 +946,8 @@ TEST_CASE("whatever the soup, what comes out of mending is a surface") {
     }
     for (const Mended_component& c : result->components) require_sound(c, s);
     taken += int(result->components.size());
-    // Mending is finished: what came out is taken again as it is, unless rims that were left apart now look like one.
+    // Mending is finished: what came out is taken again as it is, unless rims that were left apart now look
+    // like one.
     const Triangle_surface& first = result->components[0].surface;
     const Result<Mended_surface> again = mend_surface(polygon_soup(first));
     if (!again || count_of(*again, "merged") + count_of(*again, "T-junction") > 0) continue;
@@ -956,7 +960,8 @@ TEST_CASE("whatever the soup, what comes out of mending is a surface") {
 
 // ------------------------------------------------------------------------------------------------- files
 
-// EXPECTED.tsv: the file; 3 if it must be unreadable, 4 if it is no surface, 0 if it is one; words of the sentence.
+// EXPECTED.tsv: the file; 3 if it must be unreadable, 4 if it is no surface, 0 if it is one; words of the
+// sentence.
 TEST_CASE("every file of the corpus ends as its table says") {
   std::ifstream table(std::string(REEBQUAD_TEST_DIR) + "/corpus/EXPECTED.tsv");
   std::string line;

@@ -54,7 +54,8 @@ Result<Placed_texture> edited(const stages::Stages& run, const std::vector<Place
   return edit_texture(textures[c], *run.layout.atlas.charts[c], run.maps[c], run.samples, edit);
 }
 
-/// A sentence if the mesh is not an all-quad manifold with the surface's Euler characteristic and the predicted valences.
+/// A sentence if the mesh is not an all-quad manifold with the surface's Euler characteristic and the
+/// predicted valences.
 std::string fault(const Stitched_mesh& stitched, const Triangle_surface& s) {
   std::set<std::pair<int, int>> directed;
   std::vector<int> leaving(stitched.mesh.points.size(), 0), rim(stitched.mesh.points.size(), 0);

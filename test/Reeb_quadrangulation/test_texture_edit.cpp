@@ -52,7 +52,8 @@ TEST_CASE("every edge and corner of a concave quad is named by a point near it")
   for (int round = 0; round < 200; ++round) {
     Quad_texture t = annulus_texture(8, 6);
     const int v = t.quads[20][0];
-    // An inner vertex goes nearly as far as its quads allow: some become concave, and some have a straight corner.
+    // An inner vertex goes nearly as far as its quads allow: some become concave, and some have a straight
+    // corner.
     for (const double far : {0.99, 0.7, 0.4}) {
       const double angle = round % 8 == 0 ? 0.25 * std::acos(-1.0) : 6.283185307 * random.unit();
       const Texture_place place{0, 0, 20, 0};
@@ -271,7 +272,8 @@ TEST_CASE("a doublet comes and goes") {
 
 TEST_CASE("closing a quad beside a doublet removes the singlet that it would leave") {
   const Quad_texture t = applied(disc_texture(3, 3), Insert_doublet{at(1.1, 1.1)});
-  // The corner of the lower right quad at (2, 1): its diagonal joins it with the doublet's vertex; the other joins the doublet's ends.
+  // The corner of the lower right quad at (2, 1): its diagonal joins it with the doublet's vertex; the other
+  // joins the doublet's ends.
   const Result<Quad_corner> corner = find_vertex(t, at(1.15, 1.02));
   REQUIRE(corner);
   const Quad_texture closed = applied(t, Close_quad{{0, 0, corner->quad, corner->corner}, 0.5});

@@ -17,8 +17,8 @@ struct Hanging_case {
   std::vector<Hanging_edge> hanging;
 };
 
-/// A flat sheet: `rows` rows of coarse quads below the line y = 0, one row of fine quads above. Coarse column i has `t[i]` T-junctions on
-/// the line.
+/// A flat sheet: `rows` rows of coarse quads below the line y = 0, one row of fine quads above. Coarse column
+/// i has `t[i]` T-junctions on the line.
 Hanging_case sheet(const std::vector<int>& t, int rows) {
   Hanging_case c;
   const int n = int(t.size());
@@ -48,8 +48,8 @@ Hanging_case sheet(const std::vector<int>& t, int rows) {
   return c;
 }
 
-/// A torus of a coarse and a fine band: column i of the coarse one has `low[i]` and `high[i]` T-junctions on its two ends; their sums are
-/// equal.
+/// A torus of a coarse and a fine band: column i of the coarse one has `low[i]` and `high[i]` T-junctions on
+/// its two ends; their sums are equal.
 Hanging_case torus(const std::vector<int>& low, const std::vector<int>& high, int rows) {
   Hanging_case c;
   const int n = int(low.size());
@@ -224,7 +224,8 @@ TEST_CASE("a band refined on one side as a whole") {
     CHECK(edges_of(out.mesh).boundary == 0);
     CHECK(euler(out.mesh) == 0);
     CHECK(out.lines == n / 2);
-    // Each pair has two vertices of three edges, and shares its corners of more edges with the next; the nest has four.
+    // Each pair has two vertices of three edges, and shares its corners of more edges with the next; the nest
+    // has four.
     CHECK(int(out.extraordinary.size()) == 3 * n / 2 + 4);
   }
 }
@@ -283,8 +284,8 @@ TEST_CASE("random T-junctions on bands: always watertight, all quads, of the sam
 
 namespace {
 
-/// Adds a ring between two bands. `a` and `b` get the numbers of its vertices that each band has; they share `shared` of them, and between
-/// two shared ones only one band has others.
+/// Adds a ring between two bands. `a` and `b` get the numbers of its vertices that each band has; they share
+/// `shared` of them, and between two shared ones only one band has others.
 std::vector<int> add_ring(Quad_mesh& mesh, Random& random, int shared, std::array<int, 2> extra, double y,
                           std::array<std::vector<int>, 2>& side) {
   std::vector<int> owner(shared), count(shared, 0);

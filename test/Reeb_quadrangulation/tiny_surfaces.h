@@ -56,8 +56,8 @@ inline Triangle_surface bipyramid(int n) {
   return connected(std::move(s));
 }
 
-/// An m x n grid on a torus of revolution (m around the axis, n around the tube); m, n >= 3. The last column of the
-/// grid is glued to the first one `twist` vertices further.
+/// An m x n grid on a torus of revolution (m around the axis, n around the tube); m, n >= 3. The last column
+/// of the grid is glued to the first one `twist` vertices further.
 inline Triangle_surface torus(int m, int n, double r = 0.4, int twist = 0) {
   Triangle_surface s;
   const double tau = 2 * std::acos(-1.0);
@@ -132,8 +132,8 @@ inline bool is_filled(const std::vector<std::string>& map, int x, int y) {
   return y >= 0 && y < int(map.size()) && x >= 0 && x < int(map[y].size()) && map[y][x] == '#';
 }
 
-/// The surface of unit cubes laid on the plane where the map has a '#': each '.' inside is a handle. Cubes must not
-/// touch in an edge alone.
+/// The surface of unit cubes laid on the plane where the map has a '#': each '.' inside is a handle. Cubes
+/// must not touch in an edge alone.
 inline Triangle_surface boxes(const std::vector<std::string>& map) {
   Lattice_draft draft;
   for (int y = 0; y < int(map.size()); ++y)
@@ -169,7 +169,8 @@ inline Triangle_surface pair_of_pants() {
   return sheet({"##########", "##########", "##..##..##", "##..##..##", "##########", "##########"});
 }
 
-/// The connected sum: both surfaces lose a face and are joined along its border, which keeps the first one's points.
+/// The connected sum: both surfaces lose a face and are joined along its border, which keeps the first one's
+/// points.
 inline Triangle_surface connected_sum(const Triangle_surface& a, int face_a, const Triangle_surface& b,
                                       int face_b) {
   Triangle_surface s{a.points, a.triangles, {}, {}};
@@ -222,7 +223,8 @@ inline Triangle_surface subdivided(const Triangle_surface& s) {
   return connected(std::move(fine));
 }
 
-/// A generator of pseudo-random numbers whose results are the same everywhere (splitmix64; Steele, Lea, Flood 2014).
+/// A generator of pseudo-random numbers whose results are the same everywhere (splitmix64; Steele, Lea, Flood
+/// 2014).
 class Random {
 public:
   explicit Random(std::uint64_t seed) : m_state(seed) {}

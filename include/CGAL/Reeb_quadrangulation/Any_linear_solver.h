@@ -12,10 +12,11 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// A linear solver whose type is chosen at run time: it holds any model of the concept `LinearSolver`, and is one.
+/// A linear solver whose type is chosen at run time: it holds any model of the concept `LinearSolver`, and is
+/// one.
 ///
-/// What the model has of the concept's optional members is found when it is put in, and used; the calls below say what
-/// they do where it has them not. An object that was moved from may only be assigned to.
+/// What the model has of the concept's optional members is found when it is put in, and used; the calls below
+/// say what they do where it has them not. An object that was moved from may only be assigned to.
 class Any_linear_solver {
   template <class Solver> using Is_model = std::enable_if_t<!std::is_same_v<Solver, Any_linear_solver>, int>;
 

@@ -20,21 +20,25 @@ struct Chart_location {
 /// The point of a location.
 Point position(const Chart& chart, const Chart_location& location);
 
-/// Finds where points of a chart's parameter domain lie on the chart: the search tree of section 7 of the paper.
+/// Finds where points of a chart's parameter domain lie on the chart: the search tree of section 7 of the
+/// paper.
 ///
-/// A grid lies over the triangles of the map, its cells about as large as their boxes; a cell that many boxes reach into has a grid of
-/// its own, and so on. A query looks at the triangles of one cell, decides by exact orientation predicates which of them contain
-/// the point, and takes the one with the smallest index: the answer is a function of the map and the point alone.
+/// A grid lies over the triangles of the map, its cells about as large as their boxes; a cell that many boxes
+/// reach into has a grid of its own, and so on. A query looks at the triangles of one cell, decides by exact
+/// orientation predicates which of them contain the point, and takes the one with the smallest index: the
+/// answer is a function of the map and the point alone.
 ///
-/// Every point of the domain is found. On an annulus V is rounded to multiples of a power of two, so that adding a turn is exact and
-/// neighbouring triangles agree about their common edge. Then the closed counterclockwise triangles cover the domain, whatever rounding
-/// did to the map: it takes the chart's boundary to the domain's boundary once around, and so covers each point once more
-/// counterclockwise than clockwise. A point outside the domain goes to its nearest point; where a disc's border cuts off a corner of
-/// the rectangle, to the nearest point of the chart's border.
+/// Every point of the domain is found. On an annulus V is rounded to multiples of a power of two, so that
+/// adding a turn is exact and neighbouring triangles agree about their common edge. Then the closed
+/// counterclockwise triangles cover the domain, whatever rounding did to the map: it takes the chart's
+/// boundary to the domain's boundary once around, and so covers each point once more counterclockwise than
+/// clockwise. A point outside the domain goes to its nearest point; where a disc's border cuts off a corner
+/// of the rectangle, to the nearest point of the chart's border.
 ///
-/// Building takes O(F) for each depth of grids, a query O(depth): one on charts that are stretched evenly, O(log F) where the triangles'
-/// sizes fall off exponentially, as they do along limbs. No more than a few boxes may contain one point. The locator is a value
-/// of its own and refers neither to the chart nor to the map. Queries may run in several threads at once.
+/// Building takes O(F) for each depth of grids, a query O(depth): one on charts that are stretched evenly,
+/// O(log F) where the triangles' sizes fall off exponentially, as they do along limbs. No more than a few
+/// boxes may contain one point. The locator is a value of its own and refers neither to the chart nor to the
+/// map. Queries may run in several threads at once.
 class Chart_locator {
 public:
   /// \pre The map is solved: `solve_columns()` or `solve_rectangle()`.

@@ -11,7 +11,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 
 /// CHOLMOD's Cholesky factorization (Chen, Davis, Hager and Rajamanickam 2008): a model of the concept
-/// `LinearSolver`, and the one whose factor can be updated. Its bits depend on the BLAS library and its threads.
+/// `LinearSolver`, and the one whose factor can be updated. Its bits depend on the BLAS library and its
+/// threads.
 ///
 /// Factorizations are supernodal; the first update after one converts the factor to the simplicial form.
 class Cholmod_solver {
@@ -24,27 +25,29 @@ public:
   Cholmod_solver(Cholmod_solver&&) noexcept;
   Cholmod_solver& operator=(Cholmod_solver&&) noexcept;
 
-  /// Whether the factor is kept as `factorize()` made it when updates change it, for twice the memory. Then `factorize()` of
-  /// the same matrix goes back to it, which undoes the updates without a trace. Off at first.
+  /// Whether the factor is kept as `factorize()` made it when updates change it, for twice the memory. Then
+  /// `factorize()` of the same matrix goes back to it, which undoes the updates without a trace. Off at
+  /// first.
   void set_incremental(bool incremental);
 
   /// Orders the unknowns and counts the factor's entries; the values of `pattern` are not read.
   Result<void> analyze(const Symmetric_matrix& pattern);
 
-  /// The same without the search for an order: `order` lists all unknowns as they are to be eliminated, but for changes
-  /// that leave the fill as it is.
+  /// The same without the search for an order: `order` lists all unknowns as they are to be eliminated, but
+  /// for changes that leave the fill as it is.
   Result<void> analyze(const Symmetric_matrix& pattern, const std::vector<int>& order);
 
-  /// Factorizes; analyzes first where the pattern is new. Fails with `solver_failure` where CHOLMOD's status says so
-  /// and, naming the row, where a pivot is not above 1e-13 of the diagonal entry it was.
+  /// Factorizes; analyzes first where the pattern is new. Fails with `solver_failure` where CHOLMOD's status
+  /// says so and, naming the row, where a pivot is not above 1e-13 of the diagonal entry it was.
   Result<void> factorize(const Symmetric_matrix& matrix);
 
-  /// Replaces each of the `right_hand_sides` columns of `x` (column-major, `size()` entries each) by the solution.
+  /// Replaces each of the `right_hand_sides` columns of `x` (column-major, `size()` entries each) by the
+  /// solution.
   Result<void> solve(double* x, int right_hand_sides = 1) const;
 
-  /// Adds `amounts[k]` to the diagonal of row `rows[k]` by rank-one updates, or downdates where negative. A downdate
-  /// that would leave the matrix indefinite fails and leaves no factor. Errors accumulate over many updates: see the
-  /// residual. About 0.2 ms a row for 200,000 unknowns.
+  /// Adds `amounts[k]` to the diagonal of row `rows[k]` by rank-one updates, or downdates where negative. A
+  /// downdate that would leave the matrix indefinite fails and leaves no factor. Errors accumulate over many
+  /// updates: see the residual. About 0.2 ms a row for 200,000 unknowns.
   Result<void> add_to_diagonal(const std::vector<int>& rows, const std::vector<double>& amounts);
 
   /// The unknowns as they are eliminated; empty before the first `analyze()`.

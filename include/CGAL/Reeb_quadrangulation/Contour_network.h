@@ -35,8 +35,9 @@ struct Contour_node {
   int multiplicity = 0; ///< of a saddle
 };
 
-/// A piece of a contour between two nodes. The upper side is on its left: it belongs to the LOW walk of the chart on
-/// its left and to the HIGH walk of the chart on its right, unless it is a ridge (declared by `left` and `right`).
+/// A piece of a contour between two nodes. The upper side is on its left: it belongs to the LOW walk of the
+/// chart on its left and to the HIGH walk of the chart on its right, unless it is a ridge (declared by `left`
+/// and `right`).
 struct Contour_edge {
   int from = -1, to = -1;    ///< nodes
   std::vector<int> vertices; ///< network vertices, from node to node, at least two
@@ -46,9 +47,10 @@ struct Contour_edge {
   Side right = Side::high; ///< and of the chart on the right; ignored on a boundary loop
 };
 
-/// Contours embedded in a surface: the central structure from which charts are cut. A network vertex `i` is vertex `i`
-/// of the surface if `i < surface_vertices`, else the crossing `i - surface_vertices`. Contours meet in nodes only.
-/// Indices are for life: a crossing that was removed has no halfedge, an edge that was removed has no vertices.
+/// Contours embedded in a surface: the central structure from which charts are cut. A network vertex `i` is
+/// vertex `i` of the surface if `i < surface_vertices`, else the crossing `i - surface_vertices`. Contours
+/// meet in nodes only. Indices are for life: a crossing that was removed has no halfedge, an edge that was
+/// removed has no vertices.
 struct Contour_network {
   int surface_vertices = 0;
   std::vector<Edge_crossing> crossings;
@@ -79,38 +81,38 @@ void reverse(Contour_edge& edge);
 /// Removes a contour edge and its crossings. Its nodes stay.
 void remove_edge(Contour_network& network, int edge);
 
-/// Cuts a contour edge at its vertex number `at`, which becomes a node of the given kind (the edge itself is removed, its
-/// crossings stay). Returns the two new edges; for a loop at a node of kind `regular` that no other edge has, the only one.
-/// If `at` is 0, or the last vertex, nothing is cut and the edge is returned.
+/// Cuts a contour edge at its vertex number `at`, which becomes a node of the given kind (the edge itself is
+/// removed, its crossings stay). Returns the two new edges; for a loop at a node of kind `regular` that no
+/// other edge has, the only one. If `at` is 0, or the last vertex, nothing is cut and the edge is returned.
 std::vector<int> split_edge(Contour_network& network, int edge, int at, Node_kind kind = Node_kind::regular);
 
-/// A contour as it is traced, before it is placed: the halfedges that it crosses, in order, each from its lower to its
-/// higher end, so that the upper side is on the left.
+/// A contour as it is traced, before it is placed: the halfedges that it crosses, in order, each from its
+/// lower to its higher end, so that the upper side is on the left.
 struct Traced_contour {
   int seed = -1;              ///< the vertex it goes through, or -1
   int threshold = -1;         ///< else it separates ranks <= threshold from the higher ones
   std::vector<int> halfedges; ///< a loop from the seed to the seed, or closed
 };
 
-/// The loops of the contour through `seed`, one more than its multiplicity if it is a saddle, one if it is regular.
-/// Integers only; O(crossings). \pre `seed` is not an extremum of `order`.
+/// The loops of the contour through `seed`, one more than its multiplicity if it is a saddle, one if it is
+/// regular. Integers only; O(crossings). \pre `seed` is not an extremum of `order`.
 std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const Vertex_order& order,
                                           int seed);
 
-/// The contour between ranks `threshold` and `threshold + 1` that crosses the edge of `halfedge`, which must run from a
-/// vertex of rank <= threshold to a higher one.
+/// The contour between ranks `threshold` and `threshold + 1` that crosses the edge of `halfedge`, which must
+/// run from a vertex of rank <= threshold to a higher one.
 Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold,
                                int halfedge);
 
-/// Places traced contours of one order on the surface: crossings on an edge are ordered by the contours' ranks, put
-/// where the field has their value, and spread so that neighbours keep a distance (the least is 3 % of the edge, or
-/// 1 / (crossings + 2)); positions are constructed last and decide nothing.
+/// Places traced contours of one order on the surface: crossings on an edge are ordered by the contours'
+/// ranks, put where the field has their value, and spread so that neighbours keep a distance (the least is 3
+/// % of the edge, or 1 / (crossings + 2)); positions are constructed last and decide nothing.
 Contour_network build_network(const Triangle_surface& surface, const Vertex_order& order,
                               const std::vector<double>& values, const std::vector<Traced_contour>& contours,
                               const std::vector<int>& saddles, const std::vector<int>& multiplicity);
 
-/// Adds a boundary loop (halfedges in order, face on the left) as a contour: the LOW walk of its chart if it is a minimum of
-/// the field, else the HIGH walk.
+/// Adds a boundary loop (halfedges in order, face on the left) as a contour: the LOW walk of its chart if it
+/// is a minimum of the field, else the HIGH walk.
 void add_boundary_contour(const Triangle_surface& surface, const std::vector<int>& loop, bool is_maximum,
                           double value, Contour_network& network);
 

@@ -58,11 +58,12 @@ struct Design_chart {
   Chart_settings settings;
 };
 
-/// A point on the surface that means a place of a chart's texture, for edits: see `edge_place()` and its like. \pre The place is a
-/// point (V, U).
+/// A point on the surface that means a place of a chart's texture, for edits: see `edge_place()` and its
+/// like. \pre The place is a point (V, U).
 Surface_point surface_point(const Design_chart& chart, const Texture_place& place);
 
-/// The field on the whole surface that contours were last traced from. Contours that were edited since are no level lines of it.
+/// The field on the whole surface that contours were last traced from. Contours that were edited since are no
+/// level lines of it.
 struct Surface_field {
   std::vector<double> values;    ///< per vertex, without extrema that are not wanted; see `remove_extrema()`
   int cleanup_rounds = 0;        ///< that this took
@@ -94,8 +95,8 @@ struct Design {
   int index_of(int id) const;
 };
 
-/// A design's contours as edges of the surface: what pictures need. It is made when it is asked for, since it is as large as the
-/// surface.
+/// A design's contours as edges of the surface: what pictures need. It is made when it is asked for, since it
+/// is as large as the surface.
 struct Embedded_design {
   Embedding embedding;
   std::vector<int> chart_of_face; ///< of the embedding: index into `Design::charts`

@@ -11,23 +11,25 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Harmonic functions on a mesh with given values at some vertices: one factorization for any values there. With elimination the
-/// system has the free vertices only, with penalties all of them. Where the fixed vertices change from solve to solve, see
-/// `Harmonic_field`. Copies share the factorization; use them from one thread at a time.
+/// Harmonic functions on a mesh with given values at some vertices: one factorization for any values there.
+/// With elimination the system has the free vertices only, with penalties all of them. Where the fixed
+/// vertices change from solve to solve, see `Harmonic_field`. Copies share the factorization; use them from
+/// one thread at a time.
 class Dirichlet_problem {
 public:
-  /// `elimination_order` may list vertices, each once, in an order in which the solver does well to eliminate them; free vertices
-  /// that it leaves out follow. Without it, and by solvers that take no order, one is searched for. Fails with `solver_failure` if
-  /// the system is not positive definite: weights are negative, or a component has no fixed vertex.
-  /// \pre `weights` are symmetric, one for each halfedge;
-  /// `is_fixed` has one entry for each vertex.
+  /// `elimination_order` may list vertices, each once, in an order in which the solver does well to eliminate
+  /// them; free vertices that it leaves out follow. Without it, and by solvers that take no order, one is
+  /// searched for. Fails with `solver_failure` if the system is not positive definite: weights are negative,
+  /// or a component has no fixed vertex. \pre `weights` are symmetric, one for each halfedge; `is_fixed` has
+  /// one entry for each vertex.
   static Result<Dirichlet_problem> factorize(const Triangle_surface& mesh, Edge_weights weights,
                                              const std::vector<char>& is_fixed,
                                              const std::vector<int>& elimination_order = {},
                                              const Field_solver_options& options = {});
 
-  /// Replaces the values of the free vertices; fails with `solver_failure` if the residual is too large. With `jump`, one for each halfedge, the value of a halfedge's target counts as
-  /// that much more when it is seen from its source. \pre `mesh` is the one that was factorized.
+  /// Replaces the values of the free vertices; fails with `solver_failure` if the residual is too large. With
+  /// `jump`, one for each halfedge, the value of a halfedge's target counts as that much more when it is seen
+  /// from its source. \pre `mesh` is the one that was factorized.
   Result<void> solve(const Triangle_surface& mesh, std::vector<double>& values,
                      const std::vector<signed char>& jump = {}) const;
 

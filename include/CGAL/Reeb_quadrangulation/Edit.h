@@ -13,8 +13,8 @@
 #include <vector>
 
 /// \file
-/// The edits of a design, as values. They name contours, charts and saddles by points on the surface, so that a list of them (a
-/// recipe) also runs on another triangulation of the same shape.
+/// The edits of a design, as values. They name contours, charts and saddles by points on the surface, so that
+/// a list of them (a recipe) also runs on another triangulation of the same shape.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -35,22 +35,24 @@ enum class Saddle_kind : signed char {
 enum class Sharp_curve_kind : signed char {
   minimum,        ///< the field rises on both sides
   maximum,        ///< it falls on both sides
-  cap_of_minimum, ///< it falls through the line to a minimum in the middle of a face that the line bounds alone
-  cap_of_maximum ///< it rises to a maximum there
+  cap_of_minimum, ///< it falls through the line to a minimum in the middle of a face that the line bounds
+                  ///< alone
+  cap_of_maximum  ///< it rises to a maximum there
 };
 
 /// What makes the field follow a contour that the user has moved.
 enum class Enforcement : signed char {
   contour, ///< the contour is cut into the surface; the charts beside it are mapped anew (default)
-  field ///< the field is solved again on the whole surface with values around all contours of saddles (paper, section 6.1)
+  field ///< the field is solved again on the whole surface with values around all contours of saddles (paper,
+        ///< section 6.1)
 };
 
 /// \name Extrema
 /// Points of extrema mean the nearest vertex, except those that name an existing extremum: the nearest one.
 /// @{
 
-/// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`. Suggested extrema that the field turns out not to have
-/// are left out.
+/// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`. Suggested extrema
+/// that the field turns out not to have are left out.
 struct Suggest {
   double persistence = 0.08;
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
@@ -64,9 +66,10 @@ struct Set_extrema {
     double value = -1; ///< in [0, 1]; negative: 0 for a minimum, 1 for a maximum
   };
   std::vector<Extremum> extrema;
-  /// A closed line of sharp edges that becomes a contour as it is: a loop around a face, a part of the surface that sharp edges bound.
-  /// With `cap_of_minimum` or `cap_of_maximum` the face has no other loop; where the loop turns, the face itself becomes the cap of the
-  /// extremum in its middle, with four corners there. Lines have no vertex in common.
+  /// A closed line of sharp edges that becomes a contour as it is: a loop around a face, a part of the
+  /// surface that sharp edges bound. With `cap_of_minimum` or `cap_of_maximum` the face has no other loop;
+  /// where the loop turns, the face itself becomes the cap of the extremum in its middle, with four corners
+  /// there. Lines have no vertex in common.
   struct Sharp_curve {
     Surface_point face; ///< a point of the face
     Surface_point at;   ///< the loop of the face that is nearest to it
@@ -74,11 +77,13 @@ struct Set_extrema {
     double feature_angle = 45; ///< degrees
   };
   std::vector<Sharp_curve> curves{};
-  /// Boundary loops are minima or maxima as in the design before, else as `Suggest` makes them with this axis.
+  /// Boundary loops are minima or maxima as in the design before, else as `Suggest` makes them with this
+  /// axis.
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
   bool collapse_thin = false; ///< see `Suggest`
 };
-/// Adds an extremum. In a chart its value is `strength`, in (0, 1), of the way to where it would break a contour around it.
+/// Adds an extremum. In a chart its value is `strength`, in (0, 1), of the way to where it would break a
+/// contour around it.
 struct Add_extremum {
   Surface_point at;
   bool is_maximum = false;
@@ -104,12 +109,13 @@ struct Change_value {
 /// Points of contours mean the nearest contour.
 /// @{
 
-/// Moves a contour to the intersection of the surface with a plane. A loop at a saddle keeps its saddle: the plane is shifted to go
-/// through it. With two `anchors` on the contour only the part between them that is nearest to `at` moves, in the plane through both
-/// whose normal is nearest to the one given. Where the plane's curve would meet other contours, the contour follows it as far as these
-/// and the extrema allow, or other loops of the saddle and loops around the charts beside it give way; `Edit_report::followed` has the
-/// share of its length that lies in the plane, and less than a fifth is refused. Enforced by the field, the contour comes near the plane
-/// only, and all charts are new; caps go where the field has them.
+/// Moves a contour to the intersection of the surface with a plane. A loop at a saddle keeps its saddle: the
+/// plane is shifted to go through it. With two `anchors` on the contour only the part between them that is
+/// nearest to `at` moves, in the plane through both whose normal is nearest to the one given. Where the
+/// plane's curve would meet other contours, the contour follows it as far as these and the extrema allow, or
+/// other loops of the saddle and loops around the charts beside it give way; `Edit_report::followed` has the
+/// share of its length that lies in the plane, and less than a fifth is refused. Enforced by the field, the
+/// contour comes near the plane only, and all charts are new; caps go where the field has them.
 struct Move_contour {
   Surface_point at;
   Point plane_point = Point::Zero();
@@ -117,12 +123,13 @@ struct Move_contour {
   std::vector<Surface_point> anchors; ///< none or two
   Enforcement enforcement = Enforcement::contour;
 };
-/// Moves a saddle with all its contours at once: the saddle to a vertex in the charts around it, the contours to the intersection of the
-/// surface with a plane through that vertex. It is the nearest one to `to`, at most the length of a quad's edge away, where the plane
-/// meets the surface in as many curves as the saddle has contours, as the touching plane does where the surface is a saddle itself.
-/// Contours to other saddles end there as before, each in the plane through both whose normal is nearest. Where no such plane does,
-/// the saddle goes to the vertex itself, if all its contours are loops: they follow a plane that is given as far as others allow, else
-/// they are dragged along.
+/// Moves a saddle with all its contours at once: the saddle to a vertex in the charts around it, the contours
+/// to the intersection of the surface with a plane through that vertex. It is the nearest one to `to`, at
+/// most the length of a quad's edge away, where the plane meets the surface in as many curves as the saddle
+/// has contours, as the touching plane does where the surface is a saddle itself. Contours to other saddles
+/// end there as before, each in the plane through both whose normal is nearest. Where no such plane does, the
+/// saddle goes to the vertex itself, if all its contours are loops: they follow a plane that is given as far
+/// as others allow, else they are dragged along.
 struct Move_saddle {
   Surface_point at, to;                                   ///< the saddle; where it goes, also the same point
   Eigen::Vector3d plane_normal = Eigen::Vector3d::Zero(); ///< zero: of the surface at `to`
@@ -131,7 +138,8 @@ struct Move_saddle {
 struct Drag_contour {
   Surface_point at, to;
 };
-/// Pulls a contour, or a loop of a saddle, as short as its charts allow; or a contour onto sharp edges near it.
+/// Pulls a contour, or a loop of a saddle, as short as its charts allow; or a contour onto sharp edges near
+/// it.
 struct Straighten_contour {
   Surface_point at;
 };
@@ -154,7 +162,8 @@ struct Align_saddles {
 struct Collapse_chart {
   Surface_point at;
 };
-/// Collapses the annuli between saddles that are thinner than half a quad, the thinnest first, as long as charts result.
+/// Collapses the annuli between saddles that are thinner than half a quad, the thinnest first, as long as
+/// charts result.
 struct Collapse_thin_charts {};
 /// @}
 
@@ -167,13 +176,15 @@ struct Split_pole {
   Pole_kind kind = Pole_kind::quarter;
   std::vector<Surface_point> ends; ///< none or two, for half-poles
 };
-/// Moves the corner of a cap that is nearest to `at` along its contour to the sample nearest to `to`; the other three follow.
+/// Moves the corner of a cap that is nearest to `at` along its contour to the sample nearest to `to`; the
+/// other three follow.
 struct Move_corner {
   Surface_point at, to;
 };
-/// Splits a saddle, also one that shares its contour with others. `points`, if given, are the new vertices of half-saddles, one in each
-/// sector of one side of the contour; or the four corners of quarter-saddles on the contours of a simple saddle that has its contour to
-/// itself. Degenerate saddles become simple ones first: a monkey saddle becomes four vertices of valence 6 or eight of valence 5.
+/// Splits a saddle, also one that shares its contour with others. `points`, if given, are the new vertices of
+/// half-saddles, one in each sector of one side of the contour; or the four corners of quarter-saddles on the
+/// contours of a simple saddle that has its contour to itself. Degenerate saddles become simple ones first: a
+/// monkey saddle becomes four vertices of valence 6 or eight of valence 5.
 struct Split_saddle {
   Surface_point at;
   Saddle_kind kind = Saddle_kind::half;
@@ -181,7 +192,8 @@ struct Split_saddle {
   double size =
       0; ///< without points: distance of the new vertices from the saddle; 0 = the length of a quad's edge
 };
-/// Makes the disc that passes half-saddles four times a rectangle with its corners there: the saddles become regular.
+/// Makes the disc that passes half-saddles four times a rectangle with its corners there: the saddles become
+/// regular.
 struct Pin_corners {
   Surface_point at; ///< in the disc, or its extremum
 };
@@ -219,10 +231,11 @@ struct Lock_chart {
   Surface_point at;
   bool locked = true;
 };
-/// Brings extraordinary vertices in line, so that the base complex has few patches: chooses the shifts of annuli, the corners of caps and
-/// the counts of contour edges anew, as long as that pays. Halving the number of patches pays as much as a mean scaled Jacobian
-/// that is lower by `0.7 strength` costs, as it is told from the shear of columns, the corners of caps and the counts that are not wished
-/// for. What locked charts have stays; so do all counts where `counts` is 1.
+/// Brings extraordinary vertices in line, so that the base complex has few patches: chooses the shifts of
+/// annuli, the corners of caps and the counts of contour edges anew, as long as that pays. Halving the number
+/// of patches pays as much as a mean scaled Jacobian that is lower by `0.7 strength` costs, as it is told
+/// from the shear of columns, the corners of caps and the counts that are not wished for. What locked charts
+/// have stays; so do all counts where `counts` is 1.
 struct Align_layout {
   double strength = 0.002; ///< positive, at most 1
   double counts = 1.25;    ///< how far a count may go from what it was: the larger over the smaller, 1 to 4
@@ -231,10 +244,11 @@ struct Align_layout {
 /// @}
 
 /// \name Connectivity textures
-/// Points mean the quad of a chart's texture that contains them, its edge or its vertex that is nearest in the chart's map; all points of
-/// an edit lie in one chart. An edited texture stays as it is as long as the chart's contours stay or are moved, whatever counts change around it: where
-/// charts then do not meet vertex by vertex, `stitch_textures()` joins them. With `Edit_scope::surface` an edit of whole textures takes
-/// all charts, and a polychord goes on through all charts until it closes.
+/// Points mean the quad of a chart's texture that contains them, its edge or its vertex that is nearest in
+/// the chart's map; all points of an edit lie in one chart. An edited texture stays as it is as long as the
+/// chart's contours stay or are moved, whatever counts change around it: where charts then do not meet vertex
+/// by vertex, `stitch_textures()` joins them. With `Edit_scope::surface` an edit of whole textures takes all
+/// charts, and a polychord goes on through all charts until it closes.
 /// @{
 
 /// The operators of Texture_edit.h on the edges, quads or vertices at `points`.
@@ -260,8 +274,8 @@ struct Edit_texture {
   double fraction = 0.5;                ///< `at` of the operator; other operators have none
   Edit_scope scope = Edit_scope::chart; ///< of the first four operators
 };
-/// Moves inner vertices of a texture by the way from the first to `to`, on the surface, and those within a brush's `radius` by less; then
-/// relaxes around them. See `Move_vertices`.
+/// Moves inner vertices of a texture by the way from the first to `to`, on the surface, and those within a
+/// brush's `radius` by less; then relaxes around them. See `Move_vertices`.
 struct Drag_vertices {
   std::vector<Surface_point> points;
   Surface_point to;
@@ -270,7 +284,8 @@ struct Drag_vertices {
   int rings = 2, steps = 0;
   std::vector<Surface_point> anchors{}; ///< vertices that stay
 };
-/// Relaxes the inner vertices within `radius` of a point, or of a whole texture if that is 0. See `Relax_vertices`.
+/// Relaxes the inner vertices within `radius` of a point, or of a whole texture if that is 0. See
+/// `Relax_vertices`.
 struct Relax_texture {
   Surface_point at;
   int steps = 10;
@@ -278,14 +293,15 @@ struct Relax_texture {
   std::vector<Surface_point> anchors{};
   Edit_scope scope = Edit_scope::chart;
 };
-/// Moves each of the vertices onto the sharp edges: to the nearest corner of them that is at most half as far as the next vertex, else
-/// to the nearest point.
+/// Moves each of the vertices onto the sharp edges: to the nearest corner of them that is at most half as far
+/// as the next vertex, else to the nearest point.
 struct Snap_vertices {
   std::vector<Surface_point> points;
   double feature_angle = 45; ///< degrees
 };
-/// Gives a chart's texture edges on the sharp edges inside the chart: lines of edges that run along them, then vertices near their corners and
-/// near them, and relaxes around these; see fit_texture.h. What lies on sharp edges then stays there in the final relaxation.
+/// Gives a chart's texture edges on the sharp edges inside the chart: lines of edges that run along them,
+/// then vertices near their corners and near them, and relaxes around these; see fit_texture.h. What lies on
+/// sharp edges then stays there in the final relaxation.
 struct Fit_texture {
   Surface_point at;
   double feature_angle = 45; ///< degrees

@@ -24,21 +24,24 @@ struct Edit_report {
   std::vector<int> new_contours, removed_contours; ///< contour edges
   std::vector<int> changed_counts;                 ///< kept contour edges with another count
   int collapsed_charts = 0; ///< thin charts that the edit collapsed, see `Suggest::collapse_thin`
-  /// The share of a moved contour's length that lies in its plane; on the rest other contours, extrema or its saddle's order hold it.
+  /// The share of a moved contour's length that lies in its plane; on the rest other contours, extrema or its
+  /// saddle's order hold it.
   double followed = 1;
   double seconds = 0; ///< wall time
 };
 
 /// An editing session: a design and its history.
 ///
-/// Every edit is checked before it is applied. A refused one returns `Error_code::refused_edit` (or `impossible_request`,
-/// `infeasible_sampling`) with the reason and the element, and leaves everything as it was. States are immutable values that share
-/// what they have in common: undo and redo exchange them and give the same bytes again. The time of an edit is that of its charts,
-/// plus O(F) integer work for cutting the surface.
+/// Every edit is checked before it is applied. A refused one returns `Error_code::refused_edit` (or
+/// `impossible_request`, `infeasible_sampling`) with the reason and the element, and leaves everything as it
+/// was. States are immutable values that share what they have in common: undo and redo exchange them and give
+/// the same bytes again. The time of an edit is that of its charts, plus O(F) integer work for cutting the
+/// surface.
 class Editor {
 public:
-  /// Begins a session on a connected surface; the first design has no extrema, contours or charts until `Suggest` or `Set_extrema`
-  /// gives it some. Fails like `quadrangulate()` if the surface is not one that the method takes.
+  /// Begins a session on a connected surface; the first design has no extrema, contours or charts until
+  /// `Suggest` or `Set_extrema` gives it some. Fails like `quadrangulate()` if the surface is not one that
+  /// the method takes.
   static Result<Editor> create(Triangle_surface surface, const Editor_options& options = {},
                                Observer* observer = nullptr);
   ~Editor();
@@ -73,10 +76,11 @@ public:
   /// The chart of the design that contains a point, or -1.
   int chart_at(const Surface_point& point) const;
 
-  /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads); a copy where the last edit had to
-  /// stitch them already, to see that edited textures meet.
+  /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads); a copy where
+  /// the last edit had to stitch them already, to see that edited textures meet.
   Stitched_mesh quads() const;
-  /// The same, finished on the input surface, by as many threads as the session has; see `finish_design()`. Refused if the design is empty.
+  /// The same, finished on the input surface, by as many threads as the session has; see `finish_design()`.
+  /// Refused if the design is empty.
   Result<Finished_design> finished_quads(const Finish_options& options = {},
                                          Observer* observer = nullptr) const;
 

@@ -11,14 +11,15 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Options of the engine that designs are made by: of an editing session, and of an automatic run, which is one. A recipe keeps them, but
-/// for functions and for what changes no result.
+/// Options of the engine that designs are made by: of an editing session, and of an automatic run, which is
+/// one. A recipe keeps them, but for functions and for what changes no result.
 struct Editor_options {
   /// Of the first design; later `Set_target` edits change it.
   int quads = 3000;
   /// The length of the quads' edges, in units of the surface; used instead of `quads` if positive.
   double edge_length = 0;
-  /// Work on a refined copy where the surface is coarse or its triangles are needles; see `prepare_surface()`.
+  /// Work on a refined copy where the surface is coarse or its triangles are needles; see
+  /// `prepare_surface()`.
   bool prepare = true;
   /// Samples of contours by arc length (0) to samples by flux (1).
   double sample_blend = 0.5;
@@ -28,13 +29,14 @@ struct Editor_options {
   Linear_solver_factory solver = {};
   /// How fields and charts' maps meet the values that are given.
   Constraint_method constraints = Constraint_method::elimination;
-  /// The weights of a chart's map; empty: clamped cotangents. Called from several threads at once. A recipe does not keep them.
+  /// The weights of a chart's map; empty: clamped cotangents. Called from several threads at once. A recipe
+  /// does not keep them.
   std::function<Edge_weights(const Chart&)> chart_weights = {};
-  /// How charts are filled that no edit has given a texture; empty: regular grids. Called from several threads at once. A recipe does not
-  /// keep it.
+  /// How charts are filled that no edit has given a texture; empty: regular grids. Called from several
+  /// threads at once. A recipe does not keep it.
   Texture_maker textures = {};
-  /// Whether the first field's factorization is kept, so that the next field on the whole surface is solved in less time, for twice the
-  /// memory. Results do not depend on it.
+  /// Whether the first field's factorization is kept, so that the next field on the whole surface is solved
+  /// in less time, for twice the memory. Results do not depend on it.
   bool keep_factorization = true;
   /// Charts solved at once; 0 = as many as the machine has. Results do not depend on it.
   int threads = 0;

@@ -11,12 +11,14 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Makes linear solvers of one kind, each system its own: a solver cannot be copied, the options that choose it can.
+/// Makes linear solvers of one kind, each system its own: a solver cannot be copied, the options that choose
+/// it can.
 class Linear_solver_factory {
 public:
   /// Makes `Multifrontal_solver`s.
   Linear_solver_factory();
-  /// `make()` returns a new solver, from several threads at once. Recipes and reports call the kind by its `name`.
+  /// `make()` returns a new solver, from several threads at once. Recipes and reports call the kind by its
+  /// `name`.
   Linear_solver_factory(std::string name, std::function<Any_linear_solver()> make)
       : m_name(std::move(name)), m_make(std::move(make)) {}
 
@@ -52,13 +54,14 @@ Result<Linear_solver_factory> linear_solver_named(const std::string& name);
 enum class Constraint_method {
   /// Exactly: the vertices are left out of the system.
   elimination,
-  /// By a weight of 1e8 times the largest diagonal entry, after the paper's Eq. 3. The values are met to about 1e-8 of
+  /// By a weight of 1e8 times the largest diagonal entry, after the paper's Eq. 3. The values are met to
+  /// about 1e-8 of
   /// their range, and a solver that updates its factor need not factorize again where they come and go.
   penalty
 };
 
-/// With what the systems of the fields and of the charts' maps are solved, and how. All choices give the same field up
-/// to rounding, or up to what penalties leave, but not the same bits.
+/// With what the systems of the fields and of the charts' maps are solved, and how. All choices give the same
+/// field up to rounding, or up to what penalties leave, but not the same bits.
 struct Field_solver_options {
   Linear_solver_factory solver;
   Constraint_method constraints = Constraint_method::elimination;

@@ -45,9 +45,9 @@ public:
   /// Of the solver, if it can use more than one.
   void set_threads(int threads);
 
-  /// Whether the next solve after a change of few constraints or weights reuses most of the factorization, for about
-  /// twice the memory and the same bits. Off at first; see `Multifrontal_solver::set_incremental()` and, for penalties,
-  /// `Cholmod_solver::set_incremental()`. Other solvers begin anew.
+  /// Whether the next solve after a change of few constraints or weights reuses most of the factorization,
+  /// for about twice the memory and the same bits. Off at first; see `Multifrontal_solver::set_incremental()`
+  /// and, for penalties, `Cholmod_solver::set_incremental()`. Other solvers begin anew.
   void set_incremental(bool incremental);
 
   /// Adds a constraint, or changes its value. Fails with `impossible_request` where the vertex does not exist
@@ -74,8 +74,8 @@ public:
   /// Of the last solve; see `relative_residual()`. Rows with a penalty count divided by it.
   double residual() const;
 
-  /// The vertices as the last solution eliminated them; it depends on the surface's triangles and the solver alone. None where
-  /// the solver does not tell.
+  /// The vertices as the last solution eliminated them; it depends on the surface's triangles and the solver
+  /// alone. None where the solver does not tell.
   const std::vector<int>& elimination_order() const;
 
 private:

@@ -9,9 +9,10 @@
 /// \file
 /// Planes of symmetry, and which points are exactly each other's images.
 ///
-/// The reflection in a plane across a coordinate axis, x = c, is x -> 2c - x. In floating point it rounds, unless c is zero or c and x are
-/// multiples of one power of two that all sums keep: `Mirror_grid` has that power for the points of a surface. A plane of any other normal
-/// has no reflection that floating point numbers hold exactly: images are then equal up to rounding, which is measured and told.
+/// The reflection in a plane across a coordinate axis, x = c, is x -> 2c - x. In floating point it rounds,
+/// unless c is zero or c and x are multiples of one power of two that all sums keep: `Mirror_grid` has that
+/// power for the points of a surface. A plane of any other normal has no reflection that floating point
+/// numbers hold exactly: images are then equal up to rounding, which is measured and told.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -33,18 +34,20 @@ struct Mirror_plane {
 /// "x = 0.5", or "(0.577, 0.577, 0.577) . p = 1.2".
 std::string to_text(const Mirror_plane& plane);
 
-/// Whether two points are each other's images exactly, in real arithmetic, across a plane x = c, y = c or z = c: their coordinates add up
-/// to 2c, without rounding, and the others are equal. Never true for other planes.
+/// Whether two points are each other's images exactly, in real arithmetic, across a plane x = c, y = c or z =
+/// c: their coordinates add up to 2c, without rounding, and the others are equal. Never true for other
+/// planes.
 bool are_exact_images(const Mirror_plane& plane, const Point& p, const Point& q);
 
 /// Rounds the coordinate across a plane so that points and their images are exactly each other's reflections.
 class Mirror_grid {
 public:
-  /// For points within the box of `points`, and their images. The step is the last binary digit of the largest coordinate: where the
-  /// plane goes through 0, nothing is rounded.
+  /// For points within the box of `points`, and their images. The step is the last binary digit of the
+  /// largest coordinate: where the plane goes through 0, nothing is rounded.
   Mirror_grid(const Mirror_plane& plane, const std::vector<Point>& points);
 
-  /// The plane with its normal scaled, and its coordinate rounded if it lies across an axis. Done twice it gives the same bits as once.
+  /// The plane with its normal scaled, and its coordinate rounded if it lies across an axis. Done twice it
+  /// gives the same bits as once.
   const Mirror_plane& plane() const { return m_plane; }
   /// The point with its coordinate across the plane rounded.
   Point rounded(const Point& p) const;

@@ -21,8 +21,9 @@ namespace Reeb_quadrangulation {
 /// more than linear in practice.
 class Multifrontal_solver {
 public:
-  /// Nested dissection takes up to twice the time of minimum degree to find; on surfaces with more than some ten
-  /// thousand vertices the factorization then needs half of the operations and less of them after a local change.
+  /// Nested dissection takes up to twice the time of minimum degree to find; on surfaces with more than some
+  /// ten thousand vertices the factorization then needs half of the operations and less of them after a local
+  /// change.
   enum class Ordering { by_size, minimum_degree, nested_dissection };
 
   Multifrontal_solver();
@@ -33,7 +34,8 @@ public:
   /// The number of threads for factorizations, 1 at first. Changes nothing but the time.
   void set_threads(int threads);
 
-  /// How the next `analyze` orders the unknowns. At first `by_size`: nested dissection from 30,000 unknowns on.
+  /// How the next `analyze` orders the unknowns. At first `by_size`: nested dissection from 30,000 unknowns
+  /// on.
   void set_ordering(Ordering ordering);
 
   /// Whether a factorization keeps the fronts' update matrices, which doubles the memory. Then the next one,
@@ -45,8 +47,8 @@ public:
   /// values are not read). Nearly linear.
   Result<void> analyze(const Symmetric_matrix& pattern);
 
-  /// The same without the search for an order: `order` lists all unknowns as they are to be eliminated. What an order that
-  /// serves a matrix leaves of a part of its unknowns serves that part, with no more fill.
+  /// The same without the search for an order: `order` lists all unknowns as they are to be eliminated. What
+  /// an order that serves a matrix leaves of a part of its unknowns serves that part, with no more fill.
   Result<void> analyze(const Symmetric_matrix& pattern, const std::vector<int>& order);
 
   /// Factorizes; analyzes first where the pattern is not the one last analyzed. Fails with `solver_failure`,

@@ -23,7 +23,8 @@ enum class Critical_kind : signed char {
 /// graph. Only the order of the values enters.
 struct Order_graph {
   struct Node {
-    int vertex; ///< critical: the numbers of vertices around it that are lower and higher are not each one run
+    int vertex; ///< critical: the numbers of vertices around it that are lower and higher are not each one
+                ///< run
     Critical_kind kind;
     std::vector<int> lower, upper; ///< arcs, in increasing order
   };

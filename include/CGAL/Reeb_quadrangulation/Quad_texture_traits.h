@@ -33,8 +33,8 @@ struct Quad_texture_traits {
   Make_disc_texture make_disc_texture_object() const { return {}; }
 };
 
-/// A model of `QuadTextureTraits` as a value: what `Quadrangulation_options::textures` and `place_annulus()` take. The functors are
-/// copied.
+/// A model of `QuadTextureTraits` as a value: what `Quadrangulation_options::textures` and `place_annulus()`
+/// take. The functors are copied.
 template <class QuadTextureTraits> Texture_maker texture_maker(const QuadTextureTraits& traits) {
   const typename QuadTextureTraits::Compute_row_levels levels = traits.compute_row_levels_object();
   const typename QuadTextureTraits::Make_annulus_texture annulus = traits.make_annulus_texture_object();
@@ -46,8 +46,9 @@ template <class QuadTextureTraits> Texture_maker texture_maker(const QuadTexture
   return maker;
 }
 
-/// Fills one chart: `place_annulus()` or `place_disc()` with the textures of `traits`; `grid` is the chart's entry of
-/// `Sampling::grid`. Fails with `impossible_request` if the texture does not fit the chart, see `check_texture()`.
+/// Fills one chart: `place_annulus()` or `place_disc()` with the textures of `traits`; `grid` is the chart's
+/// entry of `Sampling::grid`. Fails with `impossible_request` if the texture does not fit the chart, see
+/// `check_texture()`.
 template <class QuadTextureTraits = Quad_texture_traits>
 Result<Placed_texture> place_texture(const Chart& chart, const Contour_samples& samples,
                                      const std::array<int, 2>& grid, Chart_parameterization& map,

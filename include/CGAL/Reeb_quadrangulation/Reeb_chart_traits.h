@@ -42,8 +42,9 @@ struct Uniform_chart_traits {
   Edge_weight edge_weight_object(const Chart&) const { return {}; }
 };
 
-/// A model of `ReebChartTraits` with the mean of the two mean-value weights (Floater 2003) of an edge: positive on every
-/// triangulation without clamping. Tangents of half angles stop at 1e3 and lengths at 1e-9 of the chart's longest edge.
+/// A model of `ReebChartTraits` with the mean of the two mean-value weights (Floater 2003) of an edge:
+/// positive on every triangulation without clamping. Tangents of half angles stop at 1e3 and lengths at 1e-9
+/// of the chart's longest edge.
 class Mean_value_chart_traits {
 public:
   using FT = double;

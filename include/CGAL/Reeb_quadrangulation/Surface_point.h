@@ -7,7 +7,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// A point on the surface. `vertex` is a hint: it is taken if it is a vertex at exactly this point; else the nearest one is.
+/// A point on the surface. `vertex` is a hint: it is taken if it is a vertex at exactly this point; else the
+/// nearest one is.
 struct Surface_point {
   Point point = Point::Zero();
   int vertex = -1;

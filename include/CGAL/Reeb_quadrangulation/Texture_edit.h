@@ -5,9 +5,10 @@
 /// \file
 /// Edits of a connectivity texture, as values, and their application: texture in, texture out.
 ///
-/// The operators are those of section 7.1 of the paper; polychord and quadrilateral collapse are defined by Daniels, Silva,
-/// Shepherd and Cohen, "Quadrilateral Mesh Simplification" (2008); edge and vertex rotation, doublets and singlets by Tarini,
-/// Pietroni, Cignoni, Panozzo and Puppo, "Practical Quad Mesh Simplification" (2010).
+/// The operators are those of section 7.1 of the paper; polychord and quadrilateral collapse are defined by
+/// Daniels, Silva, Shepherd and Cohen, "Quadrilateral Mesh Simplification" (2008); edge and vertex rotation,
+/// doublets and singlets by Tarini, Pietroni, Cignoni, Panozzo and Puppo, "Practical Quad Mesh
+/// Simplification" (2010).
 
 #include <CGAL/Reeb_quadrangulation/Texture_place.h>
 
@@ -20,42 +21,45 @@ namespace Reeb_quadrangulation {
 /// Splits every quad into four at the middles of its edges. Every side gets twice as many vertices.
 struct Subdivide_texture {};
 
-/// The reverse: joins fours of quads again where the texture has the connectivity of a subdivided one. Which vertices stay is
-/// decided by entry 0 of the first side: it does.
+/// The reverse: joins fours of quads again where the texture has the connectivity of a subdivided one. Which
+/// vertices stay is decided by entry 0 of the first side: it does.
 struct Coarsen_texture {};
 
-/// Splits the strip of quads that opposite edges make with `edge`, each cross edge at the fraction `at` in (0, 1) from the first
-/// end of `edge`. Where the strip ends on a side, the side gets a vertex. A quad that the strip crosses twice becomes four.
+/// Splits the strip of quads that opposite edges make with `edge`, each cross edge at the fraction `at` in
+/// (0, 1) from the first end of `edge`. Where the strip ends on a side, the side gets a vertex. A quad that
+/// the strip crosses twice becomes four.
 struct Insert_polychord {
   Texture_place edge;
   double at = 0.5;
 };
 
-/// Collapses the strip: the ends of each cross edge become one vertex at the fraction `at` in [0, 1] between them. A side vertex
-/// keeps its place; of two side vertices the one stays that is kept (see `Texture_limits`), else the one nearer to `at`.
+/// Collapses the strip: the ends of each cross edge become one vertex at the fraction `at` in [0, 1] between
+/// them. A side vertex keeps its place; of two side vertices the one stays that is kept (see
+/// `Texture_limits`), else the one nearer to `at`.
 struct Delete_polychord {
   Texture_place edge;
   double at = 0.5;
 };
 
-/// Cube subdivision: insets a region of quads as one face of a cube, surrounded by a ring of new quads. Each edge of the
-/// region's border moves inward by `at` in (0, 1) of the way to the middle of its quad. The sides do not change. Undone by
-/// `Delete_polychord` of the ring.
+/// Cube subdivision: insets a region of quads as one face of a cube, surrounded by a ring of new quads. Each
+/// edge of the region's border moves inward by `at` in (0, 1) of the way to the middle of its quad. The sides
+/// do not change. Undone by `Delete_polychord` of the ring.
 struct Inset_quads {
   std::vector<Texture_place> quads;
   double at = 0.5;
 };
 
-/// Opens a new quad along two edges that meet in a vertex: the vertex becomes two, which move apart by up to `at` in (0, 1) of the
-/// way to the middle of their quads, less if quads would invert. A side vertex stays where it is. Undone by `Close_quad`.
+/// Opens a new quad along two edges that meet in a vertex: the vertex becomes two, which move apart by up to
+/// `at` in (0, 1) of the way to the middle of their quads, less if quads would invert. A side vertex stays
+/// where it is. Undone by `Close_quad`.
 struct Open_quad {
   Texture_place first, second;
   double at = 0.5;
 };
 
-/// Collapses a quad along the diagonal from `corner`: its two ends become one vertex at the fraction `at` in [0, 1], or where
-/// the one is that lies on a side. Where that would leave a singlet, a vertex of one edge with a quad folded around it, both
-/// are removed, here and in `Delete_polychord`: no texture ever has one.
+/// Collapses a quad along the diagonal from `corner`: its two ends become one vertex at the fraction `at` in
+/// [0, 1], or where the one is that lies on a side. Where that would leave a singlet, a vertex of one edge
+/// with a quad folded around it, both are removed, here and in `Delete_polychord`: no texture ever has one.
 struct Close_quad {
   Texture_place corner;
   double at = 0.5;
@@ -67,12 +71,14 @@ struct Rotate_edge {
   bool counterclockwise = true;
 };
 
-/// Turns the fan of an inner vertex: its edges go to the opposite corners of its quads instead of the neighbours. Undone by itself.
+/// Turns the fan of an inner vertex: its edges go to the opposite corners of its quads instead of the
+/// neighbours. Undone by itself.
 struct Rotate_vertex {
   Texture_place vertex;
 };
 
-/// Splits a quad by a path over a new vertex in the middle of the diagonal from `corner`. Undone by `Remove_doublet`.
+/// Splits a quad by a path over a new vertex in the middle of the diagonal from `corner`. Undone by
+/// `Remove_doublet`.
 struct Insert_doublet {
   Texture_place corner;
 };
@@ -82,8 +88,8 @@ struct Remove_doublet {
   Texture_place vertex;
 };
 
-/// Makes holes: the quads stay in the texture, but not in the mesh. Refused where that would leave a vertex whose quads
-/// are not one fan.
+/// Makes holes: the quads stay in the texture, but not in the mesh. Refused where that would leave a vertex
+/// whose quads are not one fan.
 struct Delete_quads {
   std::vector<Texture_place> quads;
 };
@@ -96,8 +102,8 @@ struct Restore_quads {
 /// How the displacement fades from the moved vertices to the brush's radius.
 enum class Falloff { constant, linear, smooth };
 
-/// Moves inner vertices by (dv, du), those within the brush's `radius` of them by less, then relaxes. No quad is inverted: a vertex
-/// goes as far as it can. Side vertices and anchors stay.
+/// Moves inner vertices by (dv, du), those within the brush's `radius` of them by less, then relaxes. No quad
+/// is inverted: a vertex goes as far as it can. Side vertices and anchors stay.
 struct Move_vertices {
   std::vector<Texture_place> vertices;
   double dv = 0, du = 0;
@@ -126,22 +132,23 @@ const char* name(const Texture_edit& edit);
 
 /// What an edit must not take away.
 struct Texture_limits {
-  /// Per side, the entries whose vertices must stay: the contours' nodes. Entry 0 of an annulus' sides, and the four
-  /// corners of a disc's rectangle, always stay.
+  /// Per side, the entries whose vertices must stay: the contours' nodes. Entry 0 of an annulus' sides, and
+  /// the four corners of a disc's rectangle, always stay.
   std::vector<std::vector<int>> kept;
 };
 
 /// The texture after an edit.
 struct Edited_texture {
   Quad_texture texture;
-  /// Per side, where each of its vertices was in steps of the side before: i for what was its entry i, i + 0.5 for a new vertex in
-  /// the middle between entries i and i + 1. Increasing.
+  /// Per side, where each of its vertices was in steps of the side before: i for what was its entry i, i +
+  /// 0.5 for a new vertex in the middle between entries i and i + 1. Increasing.
   std::vector<std::vector<double>> side_steps;
 };
 
-/// Applies an edit to a texture, and leaves it alone: deterministic, O(Q). Fails with `refused_edit`, the reason and the element
-/// (a vertex or a face of `texture`) where the edit does not apply, would take away a side vertex that must stay, would
-/// give an annulus an edge from side to side, or would invert a quad in the plane (see `check_texture_plane()`).
+/// Applies an edit to a texture, and leaves it alone: deterministic, O(Q). Fails with `refused_edit`, the
+/// reason and the element (a vertex or a face of `texture`) where the edit does not apply, would take away a
+/// side vertex that must stay, would give an annulus an edge from side to side, or would invert a quad in the
+/// plane (see `check_texture_plane()`).
 Result<Edited_texture> edit_texture(const Quad_texture& texture, const Texture_edit& edit,
                                     const Texture_limits& limits = {});
 
@@ -151,9 +158,9 @@ struct Polychord_end {
   double fraction = 0.5;
 };
 
-/// Where the strip through `edge` leaves the texture: two ends, or none if it closes. The first is the one that lies to the left of
-/// `edge`, from its first vertex to its second. To carry an insertion into the neighbour, insert there from
-/// `side_edge()` at the same place of the contour.
+/// Where the strip through `edge` leaves the texture: two ends, or none if it closes. The first is the one
+/// that lies to the left of `edge`, from its first vertex to its second. To carry an insertion into the
+/// neighbour, insert there from `side_edge()` at the same place of the contour.
 Result<std::vector<Polychord_end>> polychord_ends(const Quad_texture& texture, const Insert_polychord& edit);
 
 } // namespace Reeb_quadrangulation

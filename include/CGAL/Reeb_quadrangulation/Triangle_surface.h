@@ -19,8 +19,8 @@ using Quad = std::array<int, 4>;
 
 /// An oriented manifold triangle surface as flat arrays: the form in which the stages share a surface.
 ///
-/// Halfedge `h = 3 f + i` runs from `triangles[f][i]` to `triangles[f][(i + 1) % 3]`, with face `f` on its left.
-/// `connect()` computes the two connectivity arrays from `points` and `triangles`.
+/// Halfedge `h = 3 f + i` runs from `triangles[f][i]` to `triangles[f][(i + 1) % 3]`, with face `f` on its
+/// left. `connect()` computes the two connectivity arrays from `points` and `triangles`.
 struct Triangle_surface {
   std::vector<Point> points;
   std::vector<Triangle> triangles;
@@ -50,10 +50,12 @@ struct Triangle_surface {
   Result<void> connect();
 };
 
-/// Euler characteristic V - E + F over the vertices that have a face. \pre `surface` is connected by `connect()`.
+/// Euler characteristic V - E + F over the vertices that have a face. \pre `surface` is connected by
+/// `connect()`.
 int euler_characteristic(const Triangle_surface& surface);
 
-/// The boundary loops, each as its halfedges in order (face on the left), loops ordered by their smallest halfedge.
+/// The boundary loops, each as its halfedges in order (face on the left), loops ordered by their smallest
+/// halfedge.
 std::vector<std::vector<int>> boundary_loops(const Triangle_surface& surface);
 
 /// Component of each face and their number; numbered by their smallest face.

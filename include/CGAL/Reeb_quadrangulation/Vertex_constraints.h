@@ -10,11 +10,11 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// A polyline on a surface that vertices may slide on, by arc length. On closed curves arc lengths go round: t and t + length() name one
-/// point; on open ones they are brought into [0, length()].
+/// A polyline on a surface that vertices may slide on, by arc length. On closed curves arc lengths go round:
+/// t and t + length() name one point; on open ones they are brought into [0, length()].
 struct Surface_curve {
-  std::vector<Point>
-      points; ///< closed curves repeat the first point at the end; no two neighbours are equal, but where all are
+  std::vector<Point> points;  ///< closed curves repeat the first point at the end; no two neighbours are
+                              ///< equal, but where all are
   std::vector<double> arc;    ///< length up to each point, the first 0
   bool closed = false;        ///< the last point is the first
   std::vector<Point> normals; ///< per segment, of the surface there, unit; or none are known
@@ -26,7 +26,8 @@ struct Surface_curve {
   Point tangent(double t) const;
   /// The normal of the surface at t. \pre `normals` are known
   const Point& normal(double t) const;
-  /// The arc length of the point nearest to p among those at `low` to `high`. O(log n) and the segments between.
+  /// The arc length of the point nearest to p among those at `low` to `high`. O(log n) and the segments
+  /// between.
   double nearest(const Point& p, double low, double high) const;
 };
 

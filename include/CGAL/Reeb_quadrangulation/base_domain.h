@@ -3,8 +3,9 @@
 #define CGAL_REEB_QUADRANGULATION_BASE_DOMAIN_H
 
 /// \file
-/// Connectivity textures on any quad mesh (figure 11 of the paper): its quads in rectangular patches, textures of some patches edited
-/// with the operators of Texture_edit.h, and the mesh with these textures, which is the same bits everywhere else.
+/// Connectivity textures on any quad mesh (figure 11 of the paper): its quads in rectangular patches,
+/// textures of some patches edited with the operators of Texture_edit.h, and the mesh with these textures,
+/// which is the same bits everywhere else.
 
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
@@ -17,8 +18,9 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// A rectangle of quads. Vertex (x, y), for x in [0, columns] and y in [0, rows], is entry y (columns + 1) + x, quad (x, y) entry
-/// y columns + x; x and y grow counterclockwise about the normal. Opposite sides may be the same edges of the mesh.
+/// A rectangle of quads. Vertex (x, y), for x in [0, columns] and y in [0, rows], is entry y (columns + 1) +
+/// x, quad (x, y) entry y columns + x; x and y grow counterclockwise about the normal. Opposite sides may be
+/// the same edges of the mesh.
 struct Base_patch {
   int columns = 0, rows = 0;
   std::vector<int> vertices, quads;
@@ -36,13 +38,14 @@ enum class Base_cut {
   everywhere    ///< every quad is a patch
 };
 
-/// Cuts an oriented manifold quad mesh, with or without boundary, into patches. Extraordinary are inner vertices not of four quads and
-/// boundary vertices not of two. A part that the separatrices do not cut into rectangles (a ring, a torus) is cut along the
-/// lines through its first quad too. Fails with `not_a_surface`, naming the quad or the vertex. O(Q) for each such cut.
+/// Cuts an oriented manifold quad mesh, with or without boundary, into patches. Extraordinary are inner
+/// vertices not of four quads and boundary vertices not of two. A part that the separatrices do not cut into
+/// rectangles (a ring, a torus) is cut along the lines through its first quad too. Fails with
+/// `not_a_surface`, naming the quad or the vertex. O(Q) for each such cut.
 Result<Base_domain> base_domain(const Quad_mesh& mesh, Base_cut cut = Base_cut::separatrices);
 
-/// The texture of a patch and where the vertices of its side lie: `steps[i]` edges of the patch from its corner (0, 0)
-/// counterclockwise. The texture's domain is [0, columns] x [0, rows].
+/// The texture of a patch and where the vertices of its side lie: `steps[i]` edges of the patch from its
+/// corner (0, 0) counterclockwise. The texture's domain is [0, columns] x [0, rows].
 struct Patch_texture {
   Quad_texture texture;
   std::vector<double> steps;
@@ -51,7 +54,8 @@ struct Patch_texture {
 /// The quads of the patch themselves.
 Patch_texture patch_texture(const Base_patch& patch);
 
-/// Applies an edit. The vertices that the patch shares with others stay; others may come to its side. Fails as `edit_texture()`.
+/// Applies an edit. The vertices that the patch shares with others stay; others may come to its side. Fails
+/// as `edit_texture()`.
 Result<Patch_texture> edit_texture(const Patch_texture& texture, const Texture_edit& edit);
 
 /// Finds the places of textures by points in space.
@@ -85,16 +89,19 @@ struct Textured_base {
   Relax_report relaxation;
 };
 
-/// Puts textures in the place of the quads of their patches. A vertex goes to its point (V, U) in the patch's quads, bilinearly, and
-/// from there to the nearest point of the surface whose normal is not turned away; a vertex at a point of the patch's own
-/// grid stays where that is. Then the inner vertices that have moved or are new are relaxed on the surface.
+/// Puts textures in the place of the quads of their patches. A vertex goes to its point (V, U) in the patch's
+/// quads, bilinearly, and from there to the nearest point of the surface whose normal is not turned away; a
+/// vertex at a point of the patch's own grid stays where that is. Then the inner vertices that have moved or
+/// are new are relaxed on the surface.
 ///
-/// Neighbours stay as they are: where a texture has got vertices on its side, it is shrunk by half a quad, and a ring of
-/// quads around it, still inside of the patch, leads from its side to the patch's (`resolve_t_junctions()`).
+/// Neighbours stay as they are: where a texture has got vertices on its side, it is shrunk by half a quad,
+/// and a ring of quads around it, still inside of the patch, leads from its side to the patch's
+/// (`resolve_t_junctions()`).
 ///
-/// Fails with `impossible_request` if a texture is not one of its patch (index, sides), with `refused_edit` where holes leave a vertex
-/// whose quads are not one fan, and as `relax_quads()`. With `relaxation.iterations` 0 and no untangling nothing is relaxed.
-/// \pre the projector's surface is connected by `connect()`.
+/// Fails with `impossible_request` if a texture is not one of its patch (index, sides), with `refused_edit`
+/// where holes leave a vertex whose quads are not one fan, and as `relax_quads()`. With
+/// `relaxation.iterations` 0 and no untangling nothing is relaxed. \pre the projector's surface is connected
+/// by `connect()`.
 Result<Textured_base> apply_textures(const Quad_mesh& mesh, const Base_domain& domain,
                                      const std::map<int, Patch_texture>& textures,
                                      const Surface_projector& projector,

@@ -11,11 +11,12 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Begins an editing session on a triangle mesh, which is copied; \sa `Editor::create()` for the errors; those of
-/// `to_triangle_surface()` come first. Points of edits are points of the mesh, see `surface_point()`; the quads go
-/// into a graph by `to_face_graph(editor.quads().mesh, graph)`.
-/// Named parameters: `vertex_point_map`, `geom_traits`, `number_of_quads`, `edge_length`, `chart_traits`,
-/// `texture_traits`, `sparse_linear_solver`, `constraint_method`, `number_of_threads`, `observer`, `options` (`Editor_options`).
+/// Begins an editing session on a triangle mesh, which is copied; \sa `Editor::create()` for the errors;
+/// those of `to_triangle_surface()` come first. Points of edits are points of the mesh, see
+/// `surface_point()`; the quads go into a graph by `to_face_graph(editor.quads().mesh, graph)`. Named
+/// parameters: `vertex_point_map`, `geom_traits`, `number_of_quads`, `edge_length`, `chart_traits`,
+/// `texture_traits`, `sparse_linear_solver`, `constraint_method`, `number_of_threads`, `observer`, `options`
+/// (`Editor_options`).
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Result<Editor> create_editor(const TriangleMesh& tmesh,
                              const NamedParameters& np = CGAL::parameters::default_values()) {

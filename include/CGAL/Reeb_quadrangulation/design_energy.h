@@ -10,21 +10,22 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// What each part of a design's energy counts. With all at their defaults, one extraordinary vertex is worth as much as a thirtieth of the area
-/// lying one seventh of an edge nearer to the quads.
+/// What each part of a design's energy counts. With all at their defaults, one extraordinary vertex is worth
+/// as much as a thirtieth of the area lying one seventh of an edge nearer to the quads.
 struct Energy_weights {
   double shape = 1;
   double farthest = 0.02;
   double angle = 0.5;
   double size = 0;
   double vertices = 0.0006;
-  double patches = 0.0005; ///< of the logarithm of the base complex's patches, where layouts are brought in line
+  double patches =
+      0.0005; ///< of the logarithm of the base complex's patches, where layouts are brought in line
   double features =
       0.15; ///< of the part of the sharp edges that quads cross obliquely, where curves of them are searched
 };
 
-/// How well the quads of a design would do, told from those that its textures give, after a few sweeps of relaxation. Lengths are in edges of
-/// the quads: square roots of the area for each.
+/// How well the quads of a design would do, told from those that its textures give, after a few sweeps of
+/// relaxation. Lengths are in edges of the quads: square roots of the area for each.
 struct Design_energy {
   double shape = 0;      ///< mean square of the distance of the surface from the quads
   double farthest = 0;   ///< largest such distance, at the samples
@@ -54,8 +55,9 @@ struct Far_sample {
   double distance = 0; ///< in edges of the quads
 };
 
-/// The energy of stitched quads on the surface of a projector. With `far`, also where the surface is farthest from the quads: the worst
-/// samples, the farthest first, no two of them within four edges. O((Q + samples) log Q).
+/// The energy of stitched quads on the surface of a projector. With `far`, also where the surface is farthest
+/// from the quads: the worst samples, the farthest first, no two of them within four edges. O((Q + samples)
+/// log Q).
 Design_energy design_energy(Stitched_mesh quads, const Surface_projector& projector,
                             const Surface_samples& samples, std::vector<Far_sample>* far = nullptr);
 

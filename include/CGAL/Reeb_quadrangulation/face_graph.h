@@ -122,10 +122,11 @@ template <class NamedParameters1, class NamedParameters2> constexpr bool reads_a
 /// is as it was.
 ///
 /// Named parameters: `vertex_point_map` and `geom_traits` of `tmesh`; `number_of_quads`, `edge_length`, or
-/// `sizing_field` (see sized_quads.h); `minima`, `maxima`, `chart_traits`, `texture_traits`, `sparse_linear_solver`, `constraint_method`,
-/// `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`, `number_of_threads`, `observer`,
-/// `options` (`Quadrangulation_options`); written are `quad_chart_map`, `halfedge_uv_map` and `vertex_location_map` of `quads`.
-/// In a second chain: `vertex_point_map` and `geom_traits` of `quads`.
+/// `sizing_field` (see sized_quads.h); `minima`, `maxima`, `chart_traits`, `texture_traits`,
+/// `sparse_linear_solver`, `constraint_method`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
+/// `face_patch_map`, `number_of_threads`, `observer`, `options` (`Quadrangulation_options`); written are
+/// `quad_chart_map`, `halfedge_uv_map` and `vertex_location_map` of `quads`. In a second chain:
+/// `vertex_point_map` and `geom_traits` of `quads`.
 template <class TriangleMesh, class QuadMesh,
           class NamedParameters1 = CGAL::parameters::Default_named_parameters,
           class NamedParameters2 = CGAL::parameters::Default_named_parameters,

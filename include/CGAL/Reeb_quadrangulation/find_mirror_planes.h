@@ -11,8 +11,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// How far a surface is from its mirror image: distances of reflected points of the surface from the surface, as fractions of the
-/// diagonal of its bounding box.
+/// How far a surface is from its mirror image: distances of reflected points of the surface from the surface,
+/// as fractions of the diagonal of its bounding box.
 struct Mirror_deviation {
   double largest = 0;       ///< of up to 20,000 vertices and 2,000 points spread evenly over the area
   double mean = 0;          ///< of the latter
@@ -60,16 +60,18 @@ struct Mirror_request {
 /// How far the surface is from its mirror image in a plane. O(n log F) for n points.
 Mirror_deviation mirror_deviation(const Surface_projector& projector, const Mirror_plane& plane);
 
-/// The planes of symmetry of a surface with deviations up to `tolerance`, the best first; of a round shape, which has infinitely many,
-/// some. Sought from the axes of coordinates and from those of inertia of the area, through its centroid: refined by pairing points with
-/// the nearest ones to their images, for as long as that brings them nearer. Planes across an axis are preferred to neighbours of the same
-/// deviation, for their reflections are exact, and those through 0 or the middle of the box to others. Those with nearly equal deviations are
-/// ordered by the lengths of their curves, the shortest first. Deterministic. A few seconds of work at most, whatever the surface.
+/// The planes of symmetry of a surface with deviations up to `tolerance`, the best first; of a round shape,
+/// which has infinitely many, some. Sought from the axes of coordinates and from those of inertia of the
+/// area, through its centroid: refined by pairing points with the nearest ones to their images, for as long
+/// as that brings them nearer. Planes across an axis are preferred to neighbours of the same deviation, for
+/// their reflections are exact, and those through 0 or the middle of the box to others. Those with nearly
+/// equal deviations are ordered by the lengths of their curves, the shortest first. Deterministic. A few
+/// seconds of work at most, whatever the surface.
 std::vector<Found_mirror> find_mirror_planes(const Surface_projector& projector, double tolerance = 0.01,
                                              const Observer* observer = nullptr);
 
-/// The plane that is asked for, with its deviation. Fails with `impossible_request`, with the deviation and its place, where the surface is
-/// not symmetric, and where a given plane has no normal.
+/// The plane that is asked for, with its deviation. Fails with `impossible_request`, with the deviation and
+/// its place, where the surface is not symmetric, and where a given plane has no normal.
 Result<Found_mirror> choose_mirror(const Surface_projector& projector, const Mirror_request& request = {},
                                    const Observer* observer = nullptr);
 

@@ -16,8 +16,8 @@ struct Finish_options {
   Relax_options relaxation = {};
   /// Vertices move onto sharp edges and corners; with a `feature_angle` of 0 they do not.
   Snap_options features = {};
-  /// With a ratio above 1, quads are subdivided where the surface bends, or where a size field asks for it, after they were relaxed, and
-  /// relaxed again.
+  /// With a ratio above 1, quads are subdivided where the surface bends, or where a size field asks for it,
+  /// after they were relaxed, and relaxed again.
   Adaptive_options adaptive{1};
 };
 
@@ -30,9 +30,9 @@ struct Finished_design {
   int t_junctions = 0;      ///< between these and the others, all resolved
 };
 
-/// Finishes quads on the surface of the projector, which may serve several meshes. Where adaptive quads would be inverted, other lines between
-/// fine and coarse ones are tried, then a lower ratio; the best of all is taken. Fails with `impossible_request` where an option is out of
-/// range, and with `cancelled`.
+/// Finishes quads on the surface of the projector, which may serve several meshes. Where adaptive quads would
+/// be inverted, other lines between fine and coarse ones are tried, then a lower ratio; the best of all is
+/// taken. Fails with `impossible_request` where an option is out of range, and with `cancelled`.
 Result<Finished_design> finish_design(Stitched_mesh quads, const Surface_projector& projector,
                                       const Finish_options& options = {}, Observer* observer = nullptr);
 

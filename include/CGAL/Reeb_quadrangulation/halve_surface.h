@@ -19,16 +19,18 @@ struct Surface_half {
   double dropped_area = 0;    ///< of islands, which are cut off where a surface is symmetric only nearly
 };
 
-/// Vertices nearer to the plane than this, by the diagonal of the bounding box, are put onto it before the surface is cut.
+/// Vertices nearer to the plane than this, by the diagonal of the bounding box, are put onto it before the
+/// surface is cut.
 constexpr double plane_tolerance = 1e-6;
 
-/// Cuts a connected surface along a plane and keeps the half where the normal points to. The side of a vertex is decided exactly. Edges that
-/// cross the plane get a vertex there; no other vertex is moved but those within `plane_tolerance`, onto the plane. The half of a
-/// surface that equals its mirror image is connected, and twice its Euler characteristic is that of the surface, less one for each
-/// arc. O(F log F).
+/// Cuts a connected surface along a plane and keeps the half where the normal points to. The side of a vertex
+/// is decided exactly. Edges that cross the plane get a vertex there; no other vertex is moved but those
+/// within `plane_tolerance`, onto the plane. The half of a surface that equals its mirror image is connected,
+/// and twice its Euler characteristic is that of the surface, less one for each arc. O(F log F).
 ///
-/// Fails with `impossible_request`, naming the place, where the plane misses the surface, touches it without crossing, or leaves other pieces
-/// than a half; with `not_a_surface` where there are no faces. \pre `surface` is connected by `connect()`.
+/// Fails with `impossible_request`, naming the place, where the plane misses the surface, touches it without
+/// crossing, or leaves other pieces than a half; with `not_a_surface` where there are no faces. \pre
+/// `surface` is connected by `connect()`.
 Result<Surface_half> halve_surface(const Triangle_surface& surface, const Mirror_plane& plane);
 
 } // namespace Reeb_quadrangulation

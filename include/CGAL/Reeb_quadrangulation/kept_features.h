@@ -21,9 +21,9 @@ struct Kept_chain {
   double lost() const { return length - on - near; }
 };
 
-/// Measures how the edges of a mesh keep chains of features of a surface, one entry a chain. An edge runs along
-/// them if its ends and its middle are near enough to them. O((E + S) log S) for E edges of the mesh and S of
-/// the chains. \pre the chains are those of `surface`
+/// Measures how the edges of a mesh keep chains of features of a surface, one entry a chain. An edge runs
+/// along them if its ends and its middle are near enough to them. O((E + S) log S) for E edges of the mesh
+/// and S of the chains. \pre the chains are those of `surface`
 std::vector<Kept_chain> kept_chains(const Quad_mesh& mesh, const Triangle_surface& surface,
                                     const Feature_edges& features);
 

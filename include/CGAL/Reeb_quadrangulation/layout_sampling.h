@@ -10,8 +10,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left out: its edge `i` is
-/// contour edge `edges[i]` of the network. `points` are those of the network's vertices.
+/// The integer problem of a layout whose charts have the given mean heights. Removed contour edges are left
+/// out: its edge `i` is contour edge `edges[i]` of the network. `points` are those of the network's vertices.
 struct Layout_sampling_problem {
   Sampling_problem problem;
   std::vector<int> edges;

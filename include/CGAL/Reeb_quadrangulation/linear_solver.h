@@ -29,8 +29,8 @@ bool same_pattern(const Symmetric_matrix& a, const Symmetric_matrix& b);
 void multiply(const Symmetric_matrix& matrix, const double* x, double* y);
 
 /// The normwise backward error |b - A x| / (|A| |x| + |b|), in the maximum norm: about 1e-16 for a stable
-/// solve, whatever the scale of the matrix and its condition. With `row_scale`, one factor for each row, of the
-/// equations multiplied by these. Not-a-number and infinite entries give infinity. O(entries).
+/// solve, whatever the scale of the matrix and its condition. With `row_scale`, one factor for each row, of
+/// the equations multiplied by these. Not-a-number and infinite entries give infinity. O(entries).
 double relative_residual(const Symmetric_matrix& matrix, const double* x, const double* b,
                          const std::vector<double>& row_scale = {});
 

@@ -13,8 +13,9 @@ namespace Reeb_quadrangulation {
 
 /// The quads of a whole surface, made of those of a half.
 struct Mirrored_design {
-  /// The quads of the half, then their images; of the vertices the same. The reports of relaxation and features are those of the half;
-  /// `held_vertices`, `node_vertex` and `off_surface` name vertices of the half.
+  /// The quads of the half, then their images; of the vertices the same. The reports of relaxation and
+  /// features are those of the half; `held_vertices`, `node_vertex` and `off_surface` name vertices of the
+  /// half.
   Finished_design whole;
   std::vector<int> image; ///< the mirror vertex of each vertex; itself on the plane
   int on_plane = 0;       ///< vertices there
@@ -33,15 +34,18 @@ struct Mirror_report {
   double largest_shift = 0;
 };
 
-/// Reflects the finished quads of a half and welds both along the plane. Vertices there are on the plane exactly; across an axis all
-/// positions are rounded to a `Mirror_grid`, so that with `Mirror_positions::exact` the result equals its mirror image to the bit.
+/// Reflects the finished quads of a half and welds both along the plane. Vertices there are on the plane
+/// exactly; across an axis all positions are rounded to a `Mirror_grid`, so that with
+/// `Mirror_positions::exact` the result equals its mirror image to the bit.
 ///
-/// Where an edge inside the half joins two vertices on the plane, it would get four quads; where a quad has two neighbouring edges there, its
-/// vertex would get two edges only. Then a ring of quads is laid along the plane first, and the quads are finished anew. So they are
-/// where the plane's curve ends on a boundary of the surface and no vertex of the quads lies there.
+/// Where an edge inside the half joins two vertices on the plane, it would get four quads; where a quad has
+/// two neighbouring edges there, its vertex would get two edges only. Then a ring of quads is laid along the
+/// plane first, and the quads are finished anew. So they are where the plane's curve ends on a boundary of
+/// the surface and no vertex of the quads lies there.
 ///
-/// `whole` is the projector of the surface that the half is of. Fails with `internal_error` where the boundary of the quads does not
-/// follow the plane, and as `finish_quads()` does. Deterministic; O(quads) but for that.
+/// `whole` is the projector of the surface that the half is of. Fails with `internal_error` where the
+/// boundary of the quads does not follow the plane, and as `finish_quads()` does. Deterministic; O(quads) but
+/// for that.
 Result<Mirrored_design> mirror_design(Finished_design half_design, const Surface_half& half,
                                       const Surface_projector& whole,
                                       Mirror_positions positions = Mirror_positions::exact,

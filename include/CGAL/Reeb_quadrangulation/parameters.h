@@ -114,7 +114,8 @@ public:
   /// @{
   /// How many threads; 0 = as many as the machine has. Changes no bit of the result.
   auto number_of_threads(int value) const { return with<number_of_threads_t>(value); }
-  /// What solves the systems of fields and maps: `sparse_linear_solver<Solver>()` of a model of `LinearSolver`.
+  /// What solves the systems of fields and maps: `sparse_linear_solver<Solver>()` of a model of
+  /// `LinearSolver`.
   template <class Factory> auto sparse_linear_solver(const Factory& value) const {
     static_assert(std::is_same<Factory, Linear_solver_factory>::value);
     return with<CGAL::internal_np::sparse_linear_solver_t>(value);
@@ -135,8 +136,8 @@ public:
   template <class VertexLocationMap> auto vertex_location_map(const VertexLocationMap& map) const {
     return with<vertex_location_map_t>(map);
   }
-  /// From the quads' halfedges to the parameters, in their quad's chart, of the corner at their target: points of a
-  /// plane, (V, U); see quad_parameters.h.
+  /// From the quads' halfedges to the parameters, in their quad's chart, of the corner at their target:
+  /// points of a plane, (V, U); see quad_parameters.h.
   template <class HalfedgeUvMap> auto halfedge_uv_map(const HalfedgeUvMap& map) const {
     return with<halfedge_uv_map_t>(map);
   }

@@ -136,8 +136,9 @@ Scene quad_scene(const Quad_mesh& mesh, const Quad_scene_options& options = {});
 /// The same of a mesh that is not all quads; the legend counts its other polygons.
 Scene quad_scene(const Polygon_soup& mesh, const Quad_scene_options& options = {});
 
-/// Polygons with dark sides, smoothly shaded, in one colour or in one a polygon; those of more than four sides as fans of triangles
-/// without the sides inside. \pre `colours` is empty or has one colour a polygon; polygons have at least three sides
+/// Polygons with dark sides, smoothly shaded, in one colour or in one a polygon; those of more than four
+/// sides as fans of triangles without the sides inside. \pre `colours` is empty or has one colour a polygon;
+/// polygons have at least three sides
 Scene polygon_scene(const Polygon_soup& mesh, const std::vector<Colour>& colours = {});
 
 /// The colour of a vertex of that valence in `quad_scene()`. \pre `valence != 4`

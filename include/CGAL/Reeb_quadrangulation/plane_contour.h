@@ -37,23 +37,26 @@ private:
   bool m_is_through_points;
 };
 
-/// Decides for each vertex whether it is above the plane, by exact arithmetic on the doubles given (filtered predicates of CGAL's
-/// Exact_predicates_inexact_constructions_kernel).
+/// Decides for each vertex whether it is above the plane, by exact arithmetic on the doubles given (filtered
+/// predicates of CGAL's Exact_predicates_inexact_constructions_kernel).
 ///
-/// A vertex on the plane counts as above: as if the plane were moved down, against its normal, by an infinitesimal. So a plane
-/// never goes through a vertex, and one that contains faces or edges passes just below them. Two planes that differ only in the
-/// sense of the normal pass on different sides of such vertices.
+/// A vertex on the plane counts as above: as if the plane were moved down, against its normal, by an
+/// infinitesimal. So a plane never goes through a vertex, and one that contains faces or edges passes just
+/// below them. Two planes that differ only in the sense of the normal pass on different sides of such
+/// vertices.
 ///
-/// Fails with `impossible_request` if three points are collinear, the normal is zero, or a coordinate is not finite, and with
-/// `not_a_surface`, naming the vertex, if a vertex is not finite. O(V).
+/// Fails with `impossible_request` if three points are collinear, the normal is zero, or a coordinate is not
+/// finite, and with `not_a_surface`, naming the vertex, if a vertex is not finite. O(V).
 Result<std::vector<char>> classify_vertices(const Triangle_surface& surface, const Cutting_plane& plane);
 
 /// One curve of a plane's intersection with a surface, the upper side on its left.
 struct Plane_curve {
   bool is_closed = true; ///< else it begins and ends on the boundary
-  /// The edges that are crossed, in order, none twice; each by its representative, as `Contour_network::crossings` has them.
+  /// The edges that are crossed, in order, none twice; each by its representative, as
+  /// `Contour_network::crossings` has them.
   std::vector<Edge_crossing> crossings;
-  /// The faces between: face i is between crossing i and crossing i + 1, the last of a closed curve before crossing 0.
+  /// The faces between: face i is between crossing i and crossing i + 1, the last of a closed curve before
+  /// crossing 0.
   std::vector<int> faces;
 };
 
@@ -66,20 +69,21 @@ struct Plane_curves {
 /// Cuts a surface by a plane: `classify_vertices()`, then `trace_curves()`. O(V + F), positions last.
 Result<Plane_curves> plane_curves(const Triangle_surface& surface, const Cutting_plane& plane);
 
-/// Traces the curves between the vertices that are above and those that are not, by integers only: every edge whose ends differ is
-/// crossed by exactly one curve, once; every face by at most one. All `t` are 0.5. O(F).
+/// Traces the curves between the vertices that are above and those that are not, by integers only: every edge
+/// whose ends differ is crossed by exactly one curve, once; every face by at most one. All `t` are 0.5. O(F).
 /// \pre `is_above` has V entries; `surface` is connected by `connect()`.
 std::vector<Plane_curve> trace_curves(const Triangle_surface& surface, const std::vector<char>& is_above);
 
-/// Puts the crossings where the plane is, but no closer than `margin` to an end of the edge (as a fraction of the edge), since a
-/// curve never meets a vertex. \pre 0 < margin <= 0.5
+/// Puts the crossings where the plane is, but no closer than `margin` to an end of the edge (as a fraction of
+/// the edge), since a curve never meets a vertex. \pre 0 < margin <= 0.5
 void place_crossings(const Triangle_surface& surface, const Cutting_plane& plane, double margin,
                      std::vector<Plane_curve>& curves);
 
 /// The points of a curve; a closed one does not repeat the first.
 std::vector<Point> curve_points(const Triangle_surface& surface, const Plane_curve& curve);
 
-/// The index of the curve nearest to a point, the first of equally near ones, or -1 if there is none. O(crossings).
+/// The index of the curve nearest to a point, the first of equally near ones, or -1 if there is none.
+/// O(crossings).
 int nearest_curve(const Triangle_surface& surface, const std::vector<Plane_curve>& curves,
                   const Point& point);
 

@@ -10,13 +10,14 @@
 #include <vector>
 
 /// \file
-/// Whole poles (paper, section 6.3): one vertex in a fan of triangles. A quad mesh cannot hold a fan, so the quads of a design leave a
-/// hole there, and what fills it is told apart from them.
+/// Whole poles (paper, section 6.3): one vertex in a fan of triangles. A quad mesh cannot hold a fan, so the
+/// quads of a design leave a hole there, and what fills it is told apart from them.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// What fills the hole of a whole pole: a triangle from the pole to each pair of neighbours on the ring, the last and the first included.
+/// What fills the hole of a whole pole: a triangle from the pole to each pair of neighbours on the ring, the
+/// last and the first included.
 struct Pole_fan {
   int extremum = -1;          ///< index into `Design::extrema`
   Point pole = Point::Zero(); ///< on the surface
@@ -24,16 +25,18 @@ struct Pole_fan {
   std::vector<int> ring;      ///< vertices of the quads, counterclockwise seen from outside; an even number
 };
 
-/// The fans of a design's quads, relaxed or not, in the order of the extrema; none if it has no whole poles. Where the user has edited the
-/// cap's texture, its holes are the user's, and there is no fan. O(quads). \pre `quads` is stitched from `design`.
+/// The fans of a design's quads, relaxed or not, in the order of the extrema; none if it has no whole poles.
+/// Where the user has edited the cap's texture, its holes are the user's, and there is no fan. O(quads). \pre
+/// `quads` is stitched from `design`.
 std::vector<Pole_fan> pole_fans(const Design& design, const Stitched_mesh& quads);
 
 /// The quads, then the fans' triangles; the poles are the last points.
 Polygon_soup with_fans(const Quad_mesh& quads, const std::vector<Pole_fan>& fans);
 
-/// The quads with every two neighbouring triangles of a fan as one quad: what can be certified as a quad mesh. It is closed, manifold and
-/// oriented exactly if the quads with the fans are, since no edge is left out but those between two triangles.
-/// The valences, and the holes and components that are left, are those of this mesh.
+/// The quads with every two neighbouring triangles of a fan as one quad: what can be certified as a quad
+/// mesh. It is closed, manifold and oriented exactly if the quads with the fans are, since no edge is left
+/// out but those between two triangles. The valences, and the holes and components that are left, are those
+/// of this mesh.
 Stitched_mesh with_paired_fans(Stitched_mesh quads, const std::vector<Pole_fan>& fans);
 
 /// "not all-quad: 24 triangles in fans at 1 whole pole, asked for by the design"; empty without fans.

@@ -9,18 +9,24 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Meshes of other polygons that a quad mesh can be turned into. None of them is certified: they are pictures of a texture, to be
-/// written to a file. A boundary loop keeps its vertices, with the middles of its edges between them where it says so.
+/// Meshes of other polygons that a quad mesh can be turned into. None of them is certified: they are pictures
+/// of a texture, to be written to a file. A boundary loop keeps its vertices, with the middles of its edges
+/// between them where it says so.
 enum class Polygon_kind {
-  /// A polygon around every vertex, its corners in the middles of the quads: k sides where k quads meet. Boundary edges are cut in
+  /// A polygon around every vertex, its corners in the middles of the quads: k sides where k quads meet.
+  /// Boundary edges are cut in
   /// their middles.
   dual,
-  /// Every edge becomes a quad between its ends and the middles of its quads: twice as many, turned by half a right angle. At
+  /// Every edge becomes a quad between its ends and the middles of its quads: twice as many, turned by half a
+  /// right angle. At
   /// boundary edges triangles.
   diagonal,
-  /// Every quad is cut along a diagonal, neighbours along parallel ones, and a polygon is put around every vertex: hexagons, three
-  /// at every corner. Around vertices of k quads there are polygons of 3 k / 2 sides for even k. Odd vertices come in pairs; between
-  /// them runs a line where diagonals are not parallel, with pairs of polygons of five and seven sides. Boundary edges are cut in
+  /// Every quad is cut along a diagonal, neighbours along parallel ones, and a polygon is put around every
+  /// vertex: hexagons, three
+  /// at every corner. Around vertices of k quads there are polygons of 3 k / 2 sides for even k. Odd vertices
+  /// come in pairs; between
+  /// them runs a line where diagonals are not parallel, with pairs of polygons of five and seven sides.
+  /// Boundary edges are cut in
   /// their middles.
   hexagons
 };
@@ -28,8 +34,8 @@ enum class Polygon_kind {
 /// "dual", "diagonal", "hex".
 const char* name(Polygon_kind kind);
 
-/// The polygons of a quad mesh, oriented as the quads. Fails with `not_a_surface` if the quads are not an oriented manifold
-/// mesh. O(Q log Q).
+/// The polygons of a quad mesh, oriented as the quads. Fails with `not_a_surface` if the quads are not an
+/// oriented manifold mesh. O(Q log Q).
 Result<Polygon_soup> polygon_mesh(const Quad_mesh& mesh, Polygon_kind kind);
 
 /// Number of sides -> number of polygons.

@@ -10,20 +10,21 @@
 
 /// \file
 /// The working copy of the input, on which the field is solved and contours are traced: the same surface with
-/// triangles that the method can use. Final quads are projected on the true input, so the working copy may deviate
-/// from it a little; how much is bounded by the options.
+/// triangles that the method can use. Final quads are projected on the true input, so the working copy may
+/// deviate from it a little; how much is bounded by the options.
 ///
-/// In this order: (1) edges much too short are collapsed; (2) edges are flipped where that enlarges the smallest
-/// angle, first of all in flat regions, as of CAD models; (3) edges much too long are bisected, the longest first,
-/// which keeps the surface conforming and angles at least half as large (Rivara, 1984); (4) interior edges that
-/// join two boundary vertices are split, so that no triangle has all its vertices on the boundary.
+/// In this order: (1) edges much too short are collapsed; (2) edges are flipped where that enlarges the
+/// smallest angle, first of all in flat regions, as of CAD models; (3) edges much too long are bisected, the
+/// longest first, which keeps the surface conforming and angles at least half as large (Rivara, 1984); (4)
+/// interior edges that join two boundary vertices are split, so that no triangle has all its vertices on the
+/// boundary.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// What to prepare. Lengths are in the units of the surface, angles in degrees. For quads of edge length h good
-/// values are `max_edge` about 0.7 h (where the input is coarser), `min_edge` about 0.02 h, and a `max_deviation`
-/// of 0.02 h over the diagonal where the input has many slivers along sharp edges.
+/// What to prepare. Lengths are in the units of the surface, angles in degrees. For quads of edge length h
+/// good values are `max_edge` about 0.7 h (where the input is coarser), `min_edge` about 0.02 h, and a
+/// `max_deviation` of 0.02 h over the diagonal where the input has many slivers along sharp edges.
 struct Prepare_options {
   double max_edge = 0;      ///< edges longer than this are bisected; 0: none
   int max_faces = 400000;   ///< bisection stops at so many faces
@@ -52,15 +53,15 @@ struct Prepared_surface {
   Prepare_report report;
 };
 
-/// A flip between two triangles that are coplanar up to this fraction of the bounding box's diagonal counts as
-/// one that does not change the surface.
+/// A flip between two triangles that are coplanar up to this fraction of the bounding box's diagonal counts
+/// as one that does not change the surface.
 constexpr double flat_tolerance = 1e-6;
 
-/// Prepares a connected surface. Genus, components and boundary loops are kept, vertices are not moved, and every
-/// new vertex is the midpoint of an edge (or the centroid of an isolated triangle). Where nothing is to be done
-/// the surface is returned as it came: pass it by `std::move` to save the copy.
-/// Deterministic. O(F) to find that nothing is to be done, O(N log N) for N bisections.
-/// Fails only with `cancelled`. \pre `surface` is connected by `connect()`.
+/// Prepares a connected surface. Genus, components and boundary loops are kept, vertices are not moved, and
+/// every new vertex is the midpoint of an edge (or the centroid of an isolated triangle). Where nothing is to
+/// be done the surface is returned as it came: pass it by `std::move` to save the copy. Deterministic. O(F)
+/// to find that nothing is to be done, O(N log N) for N bisections. Fails only with `cancelled`. \pre
+/// `surface` is connected by `connect()`.
 Result<Prepared_surface> prepare_surface(Triangle_surface surface, const Prepare_options& options = {},
                                          Observer* observer = nullptr);
 

@@ -42,7 +42,8 @@ struct Quadrangulation_options {
   Effort effort = Effort::fast;
   /// What the search looks for.
   Energy_weights energy;
-  /// The search takes at most so many extraordinary vertices more than the suggestion has; negative: no limit but their price.
+  /// The search takes at most so many extraordinary vertices more than the suggestion has; negative: no limit
+  /// but their price.
   int extra_vertices = -1;
   /// If not empty, these replace the suggestion (not the boundary loops' constants).
   std::vector<Placed_extremum> extrema;
@@ -58,10 +59,11 @@ struct Quadrangulation_options {
   bool prepare = true;
   /// Align the saddles of charts that are thinner than half a quad.
   bool collapse_thin = true;
-  /// Bring extraordinary vertices in line, so that the base complex has few patches, where quads keep their shape; see `Align_layout`.
+  /// Bring extraordinary vertices in line, so that the base complex has few patches, where quads keep their
+  /// shape; see `Align_layout`.
   bool align = true;
-  /// The weights of a chart's map, and how charts are filled; empty: clamped cotangents, regular grids. Called from
-  /// several threads at once.
+  /// The weights of a chart's map, and how charts are filled; empty: clamped cotangents, regular grids.
+  /// Called from several threads at once.
   std::function<Edge_weights(const Chart&)> chart_weights;
   Texture_maker textures;
   /// Samples by arc length (0) to samples by flux (1).
@@ -72,25 +74,30 @@ struct Quadrangulation_options {
   /// Move vertices onto sharp edges and corners; needs `relax`.
   bool keep_features = true;
   Snap_options features;
-  /// The user's own features of the surface, which count instead of its sharp edges; need `relax`. \sa finish_on_features.h
+  /// The user's own features of the surface, which count instead of its sharp edges; need `relax`. \sa
+  /// finish_on_features.h
   std::optional<Given_features> given_features;
-  /// With a ratio above 1: quads are subdivided where the surface bends, or where a size field asks for it, after they were
-  /// relaxed, and relaxed again. `quads` is then still their number in the end, about; `edge_length` that of the coarsest.
+  /// With a ratio above 1: quads are subdivided where the surface bends, or where a size field asks for it,
+  /// after they were relaxed, and relaxed again. `quads` is then still their number in the end, about;
+  /// `edge_length` that of the coarsest.
   Adaptive_options adaptive{1};
-  /// If given: the surface is cut along its plane of symmetry, one half is meshed and reflected. `quads` and placed extrema are then
-  /// those of the whole: extrema on the other side count where their images lie. Excludes `given_features`.
+  /// If given: the surface is cut along its plane of symmetry, one half is meshed and reflected. `quads` and
+  /// placed extrema are then those of the whole: extrema on the other side count where their images lie.
+  /// Excludes `given_features`.
   std::optional<Mirror_request> mirror{};
   /// Charts solved at once; 0 = as many as the machine has. Results do not depend on it.
   int threads = 0;
 };
 
-/// The recipe of the automatic run that these options ask for before anything is searched: its first edit places the
-/// extrema, suggested or given, its second, if any, brings extraordinary vertices in line. A run leaves the second out where it does not pay.
-/// Fails with `impossible_request`, naming the option, where one is out of range.
+/// The recipe of the automatic run that these options ask for before anything is searched: its first edit
+/// places the extrema, suggested or given, its second, if any, brings extraordinary vertices in line. A run
+/// leaves the second out where it does not pay. Fails with `impossible_request`, naming the option, where one
+/// is out of range.
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options = {});
 
-/// A quad mesh of a connected surface and how it came about. With a mirror, `mesh`, `valences`, `chart_of_quad`, `subdivided_quads`,
-/// `t_junctions` and `genus` are those of the whole; the editor, the recipe and the rest are those of the half.
+/// A quad mesh of a connected surface and how it came about. With a mirror, `mesh`, `valences`,
+/// `chart_of_quad`, `subdivided_quads`, `t_junctions` and `genus` are those of the whole; the editor, the
+/// recipe and the rest are those of the half.
 struct Quadrangulation {
   Quad_mesh mesh;
   /// Predicted from the layout alone: valence -> number of vertices not on the boundary.
@@ -98,8 +105,8 @@ struct Quadrangulation {
   std::vector<int> chart_of_quad; ///< index into `Design::charts`
   /// The session that made the design, ready for more edits.
   Editor editor;
-  /// What `editor` has done, and how its quads were finished. Replayed on the same surface it gives the same bytes,
-  /// unless the options have functions or given features: a recipe keeps neither.
+  /// What `editor` has done, and how its quads were finished. Replayed on the same surface it gives the same
+  /// bytes, unless the options have functions or given features: a recipe keeps neither.
   Recipe recipe;
   Relax_report relaxation;
   Snap_report features;
@@ -108,33 +115,35 @@ struct Quadrangulation {
   int collapsed_charts = 0;  ///< thin charts that were removed by aligning their saddles
   int flipped_triangles = 0; ///< of all charts' maps, 0 but for rounding
   int genus = 0;
-  /// Patches of the base complex before and after extraordinary vertices were brought in line, as told from the layout; 0 where they were
-  /// not. See `base_domain()`.
+  /// Patches of the base complex before and after extraordinary vertices were brought in line, as told from
+  /// the layout; 0 where they were not. See `base_domain()`.
   std::array<int, 2> base_patches{{0, 0}};
-  /// What the search has changed, if there was one, and at last what bringing extraordinary vertices in line has; the energy of that
-  /// step is the one before less what was gained.
+  /// What the search has changed, if there was one, and at last what bringing extraordinary vertices in line
+  /// has; the energy of that step is the one before less what was gained.
   std::vector<Search_step> search;
   std::vector<Stage_time> stages;
   std::optional<Mirror_report> mirror{}; ///< if one was asked for
 };
 
-/// Turns a connected surface, closed or with boundary loops, into an all-quad mesh whose extraordinary vertices are those
-/// that the Reeb layout predicts: replays `automatic_recipe()` and finishes its design.
+/// Turns a connected surface, closed or with boundary loops, into an all-quad mesh whose extraordinary
+/// vertices are those that the Reeb layout predicts: replays `automatic_recipe()` and finishes its design.
 ///
-/// Errors: `not_a_surface` (empty, or several components), `impossible_request` (options out of range, placed extrema without a minimum
-/// or a maximum, a mirror that the surface does not have), `refused_edit` (placed extrema that the field cannot have), `infeasible_sampling`, `cancelled`; `internal_error` never,
-/// unless we have a defect.
-/// \pre `surface` is connected by `connect()`.
+/// Errors: `not_a_surface` (empty, or several components), `impossible_request` (options out of range, placed
+/// extrema without a minimum or a maximum, a mirror that the surface does not have), `refused_edit` (placed
+/// extrema that the field cannot have), `infeasible_sampling`, `cancelled`; `internal_error` never, unless we
+/// have a defect. \pre `surface` is connected by `connect()`.
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
 
-/// The extrema that the options ask for, in increasing order, and whether each boundary loop is a maximum; `values` is left empty.
+/// The extrema that the options ask for, in increasing order, and whether each boundary loop is a maximum;
+/// `values` is left empty.
 Result<Designed_field> choose_extrema(const Triangle_surface& surface,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);
 
-/// Fills in `field.values`: harmonic, with `extremal_values`, else 0 at minima and 1 at maxima. Fails with `solver_failure`.
+/// Fills in `field.values`: harmonic, with `extremal_values`, else 0 at minima and 1 at maxima. Fails with
+/// `solver_failure`.
 Result<void> solve_field(const Triangle_surface& surface, const Quadrangulation_options& options,
                          Designed_field& field);
 

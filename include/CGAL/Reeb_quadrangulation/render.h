@@ -31,14 +31,14 @@ struct Camera {
 /// The axis that points up in the model.
 enum class Up_axis { x, y, z };
 
-/// Named views of a model. For `front` the eye stands on the positive z, x or y axis where y, z or x is up; for `side` to
-/// the right of that.
+/// Named views of a model. For `front` the eye stands on the positive z, x or y axis where y, z or x is up;
+/// for `side` to the right of that.
 enum class View { three_quarter, front, side, back };
 
 Camera camera(View view, Up_axis up = Up_axis::y);
 
-/// The same where any direction points up: the views of the axis nearest to it, turned the shortest way; of the opposite
-/// axis, upside down. \pre `up` is finite and not zero
+/// The same where any direction points up: the views of the axis nearest to it, turned the shortest way; of
+/// the opposite axis, upside down. \pre `up` is finite and not zero
 Camera camera(View view, const Point& up);
 
 struct Render_options {

@@ -13,14 +13,14 @@
 ///
 /// The problem is one of integers alone. Every contour edge `e` has one count `n_e`, shared by the charts on
 /// its two sides; an annulus has as many columns on its low walk as on its high walk (conservation). Counts
-/// want to be `i_e = length / h`. A quad that is `r = n_e / i_e` times too narrow costs `r + 1 / r - 2`: twice as many
-/// columns as wanted cost as much as half as many. The rows of quads that go by a contour edge reach half across the charts
-/// beside it; with `w_e` of them (at least one) the sum of `w_e (n_e - i_e)^2 / n_e` is minimised. When every
-/// count is carried from a chart to the one above it, conservation says that counts are a flow on the Reeb
-/// graph, and the minimum is found exactly by scaled successive shortest paths (Ahuja, Magnanti, Orlin,
-/// "Network Flows", 1993, sec. 14.5). Layouts that are not a network (an edge with two different charts on
-/// the same level, equalities asked for by the user) are solved in the lattice of integer solutions;
-/// feasibility is then decided by an exact linear program.
+/// want to be `i_e = length / h`. A quad that is `r = n_e / i_e` times too narrow costs `r + 1 / r - 2`:
+/// twice as many columns as wanted cost as much as half as many. The rows of quads that go by a contour edge
+/// reach half across the charts beside it; with `w_e` of them (at least one) the sum of `w_e (n_e - i_e)^2 /
+/// n_e` is minimised. When every count is carried from a chart to the one above it, conservation says that
+/// counts are a flow on the Reeb graph, and the minimum is found exactly by scaled successive shortest paths
+/// (Ahuja, Magnanti, Orlin, "Network Flows", 1993, sec. 14.5). Layouts that are not a network (an edge with
+/// two different charts on the same level, equalities asked for by the user) are solved in the lattice of
+/// integer solutions; feasibility is then decided by an exact linear program.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -43,7 +43,8 @@ struct Sampling_chart {
   double height = 0;      ///< mean length across, from walk to walk (annuli only)
   int locked_rows = 0;    ///< rows to keep, or 0 (annuli only)
   int locked_columns = 0; ///< columns to keep, or 0 (annuli only)
-  /// A disc that is a rectangle: the entries of its boundary where its four sides begin; opposite sides get equal sums.
+  /// A disc that is a rectangle: the entries of its boundary where its four sides begin; opposite sides get
+  /// equal sums.
   std::array<int, 4> corners{{-1, -1, -1, -1}};
 };
 
@@ -63,7 +64,8 @@ struct Sampling_problem {
 };
 
 /// A solution. An annulus has `grid = {columns, rows}`, a disc `grid = {a, b}` with `2 (a + b)` edges around
-/// it and `a - b` zero or one, or its first two sides if it is a rectangle; either has `grid[0] * grid[1]` quads.
+/// it and `a - b` zero or one, or its first two sides if it is a rectangle; either has `grid[0] * grid[1]`
+/// quads.
 struct Sampling {
   std::vector<int> counts;              ///< one for each edge
   std::vector<std::array<int, 2>> grid; ///< one for each chart

@@ -13,12 +13,15 @@ namespace Reeb_quadrangulation {
 
 /// How long to search, and for what.
 struct Search_options {
-  /// Designs that are tried, at most. The search is counted in these, not in seconds: the same input gives the same bytes.
+  /// Designs that are tried, at most. The search is counted in these, not in seconds: the same input gives
+  /// the same bytes.
   int tries = 40;
   Energy_weights weights;
-  /// Designs with more extraordinary vertices than the first one and so many are not taken; negative: no limit but their price.
+  /// Designs with more extraordinary vertices than the first one and so many are not taken; negative: no
+  /// limit but their price.
   int extra_vertices = -1;
-  /// About how many triangles the copy has on which designs are tried; a surface with less than thrice as many is tried itself.
+  /// About how many triangles the copy has on which designs are tried; a surface with less than thrice as
+  /// many is tried itself.
   int copy_triangles = 6000;
 };
 
@@ -36,12 +39,13 @@ struct Searched_extrema {
   int tries = 0;
 };
 
-/// Searches extrema whose design keeps the shape with few extraordinary vertices, beginning with those of an edit (`Suggest` or `Set_extrema`).
+/// Searches extrema whose design keeps the shape with few extraordinary vertices, beginning with those of an
+/// edit (`Suggest` or `Set_extrema`).
 ///
-/// Where the surface lies farther than an edge from the quads, a minimum or a maximum is added; minima become maxima and the reverse; extrema
-/// are removed. Each change is tried by the session's own edits on a coarse copy of the surface, and kept if the energy falls. All three
-/// kinds take turns until none helps.
-/// Fails like the edit if the first design cannot be made, and with `cancelled`. \pre `session` has an empty design.
+/// Where the surface lies farther than an edge from the quads, a minimum or a maximum is added; minima become
+/// maxima and the reverse; extrema are removed. Each change is tried by the session's own edits on a coarse
+/// copy of the surface, and kept if the energy falls. All three kinds take turns until none helps. Fails like
+/// the edit if the first design cannot be made, and with `cancelled`. \pre `session` has an empty design.
 Result<Searched_extrema> search_extrema(const Editor& session, const Edit& first,
                                         const Search_options& options = {}, Observer* observer = nullptr);
 

@@ -23,15 +23,16 @@ struct Stitched_mesh {
   int holes = 0;                  ///< quads of the textures that were left out
   std::vector<int>
       held_vertices; ///< those around holes, and anchors: relaxation is to leave them where they are
-  /// If there are holes: the Euler characteristic and the number of boundary loops of each component of what is left.
+  /// If there are holes: the Euler characteristic and the number of boundary loops of each component of what
+  /// is left.
   std::vector<std::pair<int, int>> components;
 };
 
-/// Joins the placed textures. Where the charts on both sides of a contour edge have a vertex in the same place, they meet by
-/// identity; where one has more between two such places, the nearest meet and the others are T-junctions, which
-/// `resolve_t_junctions()` takes away in the coarser chart. Quads that are holes are left out at the end. Fails with
-/// `refused_edit` where a side has no vertex at a node or the quads at a vertex are not one fan because of holes, and as
-/// `resolve_t_junctions()` does.
+/// Joins the placed textures. Where the charts on both sides of a contour edge have a vertex in the same
+/// place, they meet by identity; where one has more between two such places, the nearest meet and the others
+/// are T-junctions, which `resolve_t_junctions()` takes away in the coarser chart. Quads that are holes are
+/// left out at the end. Fails with `refused_edit` where a side has no vertex at a node or the quads at a
+/// vertex are not one fan because of holes, and as `resolve_t_junctions()` does.
 Result<Stitched_mesh> stitch_textures(const std::vector<Point>& points, const Contour_network& network,
                                       const Atlas& atlas, const Contour_samples& samples,
                                       const std::vector<const Placed_texture*>& textures,

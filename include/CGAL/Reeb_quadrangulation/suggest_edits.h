@@ -27,9 +27,9 @@ struct Hint {
   Edit edit;
   Point place = Point::Zero(); ///< on the surface
   std::string reason;          ///< a sentence with the numbers below
-  /// What the edit improves, without a unit, smaller is better: the distance of the limb's tip, or of the contour from the sharp
-  /// edges, in edge lengths of the quads; how many times longer than wide the chart's quads are, in the mean; the difference of the
-  /// saddle's valence from 4.
+  /// What the edit improves, without a unit, smaller is better: the distance of the limb's tip, or of the
+  /// contour from the sharp edges, in edge lengths of the quads; how many times longer than wide the chart's
+  /// quads are, in the mean; the difference of the saddle's valence from 4.
   double before = 0, after = 0;
 };
 
@@ -44,19 +44,21 @@ struct Hint_options {
   double room = 2;           ///< height of the charts that the parts of a saddle must leave
 };
 
-/// Proposes edits of a design, with a reason each. An edit is proposed if, tried on the design, it applies and improves the measure of
-/// its kind (a limb's or a contour's distance by half an edge length, or to less than a tenth of it); saddles are split only if the mean scaled Jacobian of
-/// the quads around them grows by a thousandth at least and no chart gets low. No hint costs a texture that the
-/// user has edited.
+/// Proposes edits of a design, with a reason each. An edit is proposed if, tried on the design, it applies
+/// and improves the measure of its kind (a limb's or a contour's distance by half an edge length, or to less
+/// than a tenth of it); saddles are split only if the mean scaled Jacobian of the quads around them grows by
+/// a thousandth at least and no chart gets low. No hint costs a texture that the user has edited.
 ///
-/// The order is that of the kinds, then the worst measure first, then by place. An empty design has no hints. Fails with
-/// `impossible_request` (an option out of range) and `cancelled`. Costs `suggest_extrema()` and a preview for each place in question.
+/// The order is that of the kinds, then the worst measure first, then by place. An empty design has no hints.
+/// Fails with `impossible_request` (an option out of range) and `cancelled`. Costs `suggest_extrema()` and a
+/// preview for each place in question.
 Result<std::vector<Hint>> suggest_edits(const Editor& editor, const Hint_options& options = {},
                                         Observer* observer = nullptr);
 
-/// Takes hints until there are none: applies the first, looks again, and so on. Ends, since every hint leaves fewer uncovered tips, or as
-/// many and fewer simple saddles, or thin charts, or contours beside sharp edges. Returns the hints in the order in which they were
-/// taken, each an edit of the editor's history. If it is cancelled, those taken so far stay applied.
+/// Takes hints until there are none: applies the first, looks again, and so on. Ends, since every hint leaves
+/// fewer uncovered tips, or as many and fewer simple saddles, or thin charts, or contours beside sharp edges.
+/// Returns the hints in the order in which they were taken, each an edit of the editor's history. If it is
+/// cancelled, those taken so far stay applied.
 Result<std::vector<Hint>> apply_hints(Editor& editor, const Hint_options& options = {},
                                       Observer* observer = nullptr);
 

@@ -17,7 +17,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// Colours faces by the regions between walls; regions are numbered by their smallest face, and list their faces in order.
+// Colours faces by the regions between walls; regions are numbered by their smallest face, and list their
+// faces in order.
 std::vector<std::vector<int>> flood_regions(const Embedding& embedding, std::vector<int>& region_of_face) {
   const Triangle_surface& s = embedding.surface;
   std::vector<int> sizes, stack;
@@ -52,8 +53,8 @@ Triangle rotated(const Triangle& t) {
   return {t[i], t[(i + 1) % 3], t[(i + 2) % 3]};
 }
 
-// Orders a region's faces by their original faces, and the pieces of one by their vertices: an order that does not
-// depend on how many pieces there are elsewhere.
+// Orders a region's faces by their original faces, and the pieces of one by their vertices: an order that
+// does not depend on how many pieces there are elsewhere.
 void sort_faces(const Embedding& embedding, std::vector<int>& faces) {
   const auto base = [&](int f) { return embedding.base_face[f]; };
   const auto by_base = [&](int f, int g) { return base(f) < base(g); };
@@ -81,7 +82,8 @@ std::vector<int> corners_of(const Contour_network& network, const Walk& walk) {
   return visits;
 }
 
-// Cuts one region out of the embedded surface. The scratch arrays are shared by all regions, since they are disjoint.
+// Cuts one region out of the embedded surface. The scratch arrays are shared by all regions, since they are
+// disjoint.
 class Chart_builder {
 public:
   Chart_builder(const Embedding& embedding, const Contour_network& network, const std::vector<int>& extrema)
@@ -153,8 +155,9 @@ private:
     return m_chart.mesh.number_of_vertices() - 1;
   }
 
-  // Follows the border with the region on the left. Turning around the target of a border halfedge inside the region
-  // until the next border halfedge enumerates exactly the corners of one visit: they share one local vertex.
+  // Follows the border with the region on the left. Turning around the target of a border halfedge inside the
+  // region until the next border halfedge enumerates exactly the corners of one visit: they share one local
+  // vertex.
   Result<void> trace_walks(const std::vector<int>& faces) {
     const Triangle_surface& s = m_embedding.surface;
     std::vector<char> seen(3 * faces.size(), 0);
@@ -282,9 +285,9 @@ private:
                std::to_string(extrema.size()) + " extrema");
   }
 
-  // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold there:
-  // it is split in the middle; if asked for, so is one between two walks of one side. Splitting adds no new such
-  // edge, since the new vertex is inside.
+  // An edge inside the chart that joins two vertices of one walk would be mapped to the walk's line, or fold
+  // there: it is split in the middle; if asked for, so is one between two walks of one side. Splitting adds
+  // no new such edge, since the new vertex is inside.
   void split_chords() {
     Triangle_surface& mesh = m_chart.mesh;
     std::vector<int> walk_of(mesh.number_of_vertices(), -1);
@@ -312,7 +315,8 @@ private:
     pair(g, h_far);
   }
 
-  // Shortens halfedge h = a -> b of face (a, b, c) to a -> m and adds the face (m, b, c); returns its halfedge m -> b.
+  // Shortens halfedge h = a -> b of face (a, b, c) to a -> m and adds the face (m, b, c); returns its
+  // halfedge m -> b.
   int cut_face(int h, int m) {
     Triangle_surface& mesh = m_chart.mesh;
     const int next = Triangle_surface::next(h), b = mesh.source(next), c = mesh.target(next);
@@ -394,7 +398,8 @@ std::map<Border_set, int> charts_by_border(const Atlas& atlas) {
 
 namespace {
 
-// A chart's place in the atlas: its smallest original face, then the first contour edge around it, then its side.
+// A chart's place in the atlas: its smallest original face, then the first contour edge around it, then its
+// side.
 struct Chart_key {
   int face, edge;
   bool on_right;

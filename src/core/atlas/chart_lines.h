@@ -18,21 +18,25 @@ struct Line_crossing {
   int next_face; ///< the face of the original surface that the line enters
 };
 
-/// Where a vertex of a chart lies on an edge of the original surface, from its representative's source (0) to target (1).
+/// Where a vertex of a chart lies on an edge of the original surface, from its representative's source (0) to
+/// target (1).
 std::optional<double> position_on_edge(const Triangle_surface& surface, const Chart& chart,
                                        const Contour_network& network, int vertex, int edge);
 
-/// A line that leaves a face of the original surface by the edge it came through, or begins or ends by crossing an edge at its own
-/// end, can be pulled back over it: nothing lies between. `start` and `end` are network vertices.
+/// A line that leaves a face of the original surface by the edge it came through, or begins or ends by
+/// crossing an edge at its own end, can be pulled back over it: nothing lies between. `start` and `end` are
+/// network vertices.
 void pull_tight(const Triangle_surface& surface, const Contour_network& network, int start, int end,
                 int& first_face, std::vector<Line_crossing>& crossings);
 
-/// Whether two network vertices lie on one edge of the surface (or are its ends): the line between them runs along it.
+/// Whether two network vertices lie on one edge of the surface (or are its ends): the line between them runs
+/// along it.
 bool are_on_one_edge(const Triangle_surface& surface, const Contour_network& network, int a, int b);
 
-/// Adds contours that were built on a chart's mesh (edges `which` of `local`, each a loop) to the network, with their nodes. Crossings
-/// of edges that only the chart has are left out. Returns the new contour edges. Fails with `refused_edit` if a node falls on a
-/// vertex that the surface does not have, or a loop shrinks to nothing; then the network must be thrown away.
+/// Adds contours that were built on a chart's mesh (edges `which` of `local`, each a loop) to the network,
+/// with their nodes. Crossings of edges that only the chart has are left out. Returns the new contour edges.
+/// Fails with `refused_edit` if a node falls on a vertex that the surface does not have, or a loop shrinks to
+/// nothing; then the network must be thrown away.
 Result<std::vector<int>> transfer_contours(const Triangle_surface& surface, const Chart& chart,
                                            const Contour_network& local, const std::vector<int>& which,
                                            Contour_network& network);

@@ -7,8 +7,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// As `cut_region()` without extrema, for a field that has one value on all walks of a side: edges between two of them are split too, so that
-/// none is level.
+/// As `cut_region()` without extrema, for a field that has one value on all walks of a side: edges between
+/// two of them are split too, so that none is level.
 Result<Chart> cut_part(const Embedding& embedding, const Contour_network& network, int face);
 
 } // namespace Reeb_quadrangulation

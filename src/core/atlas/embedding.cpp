@@ -35,8 +35,9 @@ double shape(const Point& a, const Point& b, const Point& c) {
   return edges > 0 ? area / edges : 0;
 }
 
-// Triangulates polygons of border points (positions in increasing order) by dynamic programming: the best worst shape
-// among the triangulations without a collinear triangle. Such a one exists, for no polygon has all points on one edge.
+// Triangulates polygons of border points (positions in increasing order) by dynamic programming: the best
+// worst shape among the triangulations without a collinear triangle. Such a one exists, for no polygon has
+// all points on one edge.
 class Polygon_triangulator {
 public:
   Polygon_triangulator(const Border& border, const std::vector<Point>& points)
@@ -67,7 +68,8 @@ public:
   }
 
 private:
-  // Negative for collinear points, which no triangulation may use; otherwise non-negative even if rounding made it 0.
+  // Negative for collinear points, which no triangulation may use; otherwise non-negative even if rounding
+  // made it 0.
   double quality(int i, int j, int k) const {
     if (m_border.sides[i] & m_border.sides[j] & m_border.sides[k]) return -2;
     return shape(m_points[m_border.vertex[i]], m_points[m_border.vertex[j]], m_points[m_border.vertex[k]]);
@@ -227,7 +229,8 @@ private:
     return {};
   }
 
-  // Only the pieces' halfedges are new; one that is alone among them lies on an edge without crossings, or where the result ends.
+  // Only the pieces' halfedges are new; one that is alone among them lies on an edge without crossings, or
+  // where the result ends.
   void connect_pieces() {
     Triangle_surface& s = m_result.surface;
     s.opposite.resize(s.number_of_halfedges(), -1);
@@ -316,7 +319,8 @@ private:
     return -1;
   }
 
-  // The two halfedges between two vertices: of pieces, or along an edge between whole faces. None if another contour crosses there.
+  // The two halfedges between two vertices: of pieces, or along an edge between whole faces. None if another
+  // contour crosses there.
   std::array<int, 2> find_halfedges(int a, int b) const {
     std::array<int, 2> found{{-1, -1}};
     const std::pair<Ends, int> first{ends(a, b), -1};

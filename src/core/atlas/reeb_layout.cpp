@@ -13,7 +13,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// The vertices between an extremum and the first critical point that its level sets meet, in the order of their levels.
+// The vertices between an extremum and the first critical point that its level sets meet, in the order of
+// their levels.
 struct Extremal_disc {
   std::vector<int> vertices; // the extremum first
   bool ends_at_extremum = false;
@@ -138,8 +139,8 @@ std::vector<Level_line> measure_levels(const Triangle_surface& s, const std::vec
   return lines;
 }
 
-// How much larger the quads of a cap are than those around it: a square grid on a loop of length L has (L / 4)^2 of them in
-// units of their edges there. A flat disc has 1.27, a cube's top with half of its sides 3.
+// How much larger the quads of a cap are than those around it: a square grid on a loop of length L has (L /
+// 4)^2 of them in units of their edges there. A flat disc has 1.27, a cube's top with half of its sides 3.
 double cap_stretch(const Level_line& line) {
   return 16 * line.area / (line.length * line.length);
 }
@@ -225,7 +226,8 @@ void close_field(const Closed_surface& closed, const std::vector<std::vector<int
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const signed char side = field.boundary_is_maximum[i] ? 1 : -1;
     for (int h : loops[i]) level[closed.surface.source(h)] = side;
-    // The apex of a minimum must rank below its loop: values of a loop are made one, and the apex lies beyond.
+    // The apex of a minimum must rank below its loop: values of a loop are made one, and the apex lies
+    // beyond.
     const double value = field.values[closed.surface.source(loops[i][0])];
     for (int h : loops[i]) values[closed.surface.source(h)] = value;
     values.push_back(value + side * (1 + std::abs(value)));

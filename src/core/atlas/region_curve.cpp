@@ -15,7 +15,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// The vertices around a vertex, counterclockwise; around one on the border from the first edge inside to the last.
+// The vertices around a vertex, counterclockwise; around one on the border from the first edge inside to the
+// last.
 struct Fan {
   std::vector<int> vertices;
   std::vector<int> halfedges; // halfedge i is opposite to the vertex, from vertices i to i + 1
@@ -111,8 +112,8 @@ private:
            fix_run(fan, split, n - split, static_cast<signed char>(-first_side));
   }
 
-  // Around the one end of a loop: a run of one side between those of the other; some of it has its home there, unless the end has moved
-  // to where none has.
+  // Around the one end of a loop: a run of one side between those of the other; some of it has its home
+  // there, unless the end has moved to where none has.
   bool order_loop() {
     const int end = m_asked.from;
     const Fan fan = fan_of(m_mesh, end);
@@ -177,7 +178,8 @@ private:
     }
   }
 
-  // The shortest way from the tree to another piece, which then belongs to the side; returns where it ends, or -1.
+  // The shortest way from the tree to another piece, which then belongs to the side; returns where it ends,
+  // or -1.
   int grow(signed char side, bool at_home, const std::vector<int>& tree, std::vector<char>& joined) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -234,7 +236,8 @@ private:
   std::vector<signed char> m_side;
 };
 
-// Follows the line between the sides; it leaves faces over halfedges that run from the right to the left side.
+// Follows the line between the sides; it leaves faces over halfedges that run from the right to the left
+// side.
 class Line_tracer {
 public:
   Line_tracer(const Open_region& region, const std::vector<signed char>& sides, int from, int to)
@@ -332,7 +335,8 @@ Result<Region_curve> curve_between(const Open_region& region, const std::vector<
 
 namespace {
 
-// The crossings of a region's curve with edges of the surface; those of edges that only the region has are left out.
+// The crossings of a region's curve with edges of the surface; those of edges that only the region has are
+// left out.
 std::vector<Line_crossing> surface_crossings(const Triangle_surface& surface, const Open_region& region,
                                              const Region_curve& curve, const Contour_network& network) {
   const Chart& chart = region.chart;

@@ -10,8 +10,9 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// A surface of the same shape and topology with about so many triangles: the dual of the patches of `decimate()`. Finer where a coarser one would have another topology; nothing
-/// if it would have more than a third of the surface's triangles. O(V) for each attempt. \pre `surface` is connected by `connect()`.
+/// A surface of the same shape and topology with about so many triangles: the dual of the patches of
+/// `decimate()`. Finer where a coarser one would have another topology; nothing if it would have more than a
+/// third of the surface's triangles. O(V) for each attempt. \pre `surface` is connected by `connect()`.
 std::optional<Triangle_surface> coarse_copy(const Triangle_surface& surface, int triangles);
 
 } // namespace internal

@@ -16,7 +16,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// Sweeps that take the kinks at contours out of the quads; more of them change the order of designs no further.
+// Sweeps that take the kinks at contours out of the quads; more of them change the order of designs no
+// further.
 constexpr int sweeps = 3;
 
 // What an inverted quad costs.
@@ -92,8 +93,9 @@ double Design_energy::total(const Energy_weights& weights) const {
 Surface_samples sample_surface(const Triangle_surface& surface, int number) {
   Surface_samples samples;
   const double total = samples.area = area(surface);
-  // Faces laid end to end are sampled at equal steps; where in a face a sample lies follows the two-dimensional
-  // golden ratio sequence (Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
+  // Faces laid end to end are sampled at equal steps; where in a face a sample lies follows the
+  // two-dimensional golden ratio sequence (Roberts, "The unreasonable effectiveness of quasirandom
+  // sequences", 2018).
   constexpr double g1 = 0.7548776662466927, g2 = 0.5698402909980532;
   double before = 0;
   for (int f = 0; f < surface.number_of_faces(); ++f) {

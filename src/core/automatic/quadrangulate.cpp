@@ -99,8 +99,8 @@ Result<void> check(const Quadrangulation_options& options) {
   return {};
 }
 
-// Before some quads are subdivided. The coarser these are, the more can be; but quads that are too coarse fit the
-// surface badly.
+// Before some quads are subdivided. The coarser these are, the more can be; but quads that are too coarse fit
+// the surface badly.
 int quads_before_subdivision(const Quadrangulation_options& options) {
   return std::max(1, int(options.quads / std::sqrt(double(std::max(1, options.adaptive.ratio)))));
 }
@@ -161,7 +161,8 @@ Result<Finished_design> finished_on(const Given_features& features, const Editor
   return finish_design(editor.quads(), Surface_projector(editor.input()), features, options, &observer);
 }
 
-// Alignments that are tried, those that find the fewest patches first. A layout takes some 5 to 20 microseconds.
+// Alignments that are tried, those that find the fewest patches first. A layout takes some 5 to 20
+// microseconds.
 std::vector<Align_layout> alignments(Effort effort) {
   Align_layout with_counts, turns_alone, careful;
   turns_alone.counts = careful.counts = 1;
@@ -263,8 +264,8 @@ std::string reason_of(const Align_layout& edit, const Worth& before, const Worth
   return reason.str();
 }
 
-// The recipe's last edit brings extraordinary vertices in line, if the lines gain more than the quads lose: the first alignment that does, or
-// with the effort `best` that which is worth most.
+// The recipe's last edit brings extraordinary vertices in line, if the lines gain more than the quads lose:
+// the first alignment that does, or with the effort `best` that which is worth most.
 Result<void> align(Editor& editor, Recipe& recipe, const Quadrangulation_options& options, Made& made,
                    Observer& observer) {
   if (patches_of(editor.design()) < 2) return {};
@@ -322,8 +323,8 @@ int defects(const Made& made) {
   return made.finished.relaxation.inverted_after + made.finished.relaxation.intersections_after;
 }
 
-// Makes what the recipe says. What the search has found on a coarse copy goes if it cannot be made on the surface itself, or gives
-// defects where the suggestion gives less.
+// Makes what the recipe says. What the search has found on a coarse copy goes if it cannot be made on the
+// surface itself, or gives defects where the suggestion gives less.
 Result<Made> make_or_fall_back(Editor& editor, Recipe& recipe, const Edit& suggestion,
                                std::vector<Search_step>& steps, const Quadrangulation_options& options,
                                Observer& observer) {

@@ -23,8 +23,8 @@ constexpr double worth_it = 0.003;
 // Samples for each quad that is asked for.
 constexpr double samples_per_quad = 1.5;
 
-// A curve is at least so many edges of the quads long; a cap as large as so many quads, and at most such a part of
-// the surface.
+// A curve is at least so many edges of the quads long; a cap as large as so many quads, and at most such a
+// part of the surface.
 constexpr double shortest = 6, smallest_cap = 4, largest_cap = 0.45;
 
 // How flat a cap is: the length of its mean normal.
@@ -332,7 +332,8 @@ private:
     return true;
   }
 
-  // Whether each region that curves bound has something below and something above: curves or extrema. A cap has.
+  // Whether each region that curves bound has something below and something above: curves or extrema. A cap
+  // has.
   bool has_both(const Choice& choice, const std::vector<Set_extrema::Extremum>& extrema) const {
     const std::vector<int> region = m_candidates.regions(choice);
     std::vector<int> found(region.size(), 0);

@@ -109,7 +109,8 @@ private:
     return tried;
   }
 
-  // Nothing if the edit cannot be made or has too many extraordinary vertices; an error if the search is to stop.
+  // Nothing if the edit cannot be made or has too many extraordinary vertices; an error if the search is to
+  // stop.
   Result<std::optional<Tried>> attempt(const Set_extrema& edit) {
     Result<Tried> tried = try_edit(edit);
     if (!tried && tried.error().code == Error_code::cancelled) return tried.error();

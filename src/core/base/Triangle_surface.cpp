@@ -17,7 +17,8 @@ Result<void> pair_halfedges(Triangle_surface& surface) {
   std::vector<int> end(begin.begin(), begin.end() - 1);
   for (int h = 0; h < nh; ++h) bucket[end[std::min(surface.source(h), surface.target(h))]++] = h;
   surface.opposite.assign(nh, -1);
-  // first[o] is the halfedge that last opened the edge {v, o}; it is of this v only if it lies in this bucket.
+  // first[o] is the halfedge that last opened the edge {v, o}; it is of this v only if it lies in this
+  // bucket.
   std::vector<int> first(nv, -1), owner(nv, -1);
   for (int v = 0; v < nv; ++v)
     for (int i = begin[v]; i < begin[v + 1]; ++i) {

@@ -13,9 +13,10 @@ namespace Reeb_quadrangulation {
 /// For each point the first point with the same coordinates (-0 and 0 are the same; NaN is only itself).
 std::vector<int> first_equal_points(const std::vector<Point>& points);
 
-/// For each point a point before it that is nearer than `distance` and stands for itself, or the point itself if
-/// there is none: no two points that stand for themselves are nearer to each other. With distance 0 the same as
-/// `first_equal_points()`. O(n) where no place holds many points. \pre `distance` is finite and not negative.
+/// For each point a point before it that is nearer than `distance` and stands for itself, or the point itself
+/// if there is none: no two points that stand for themselves are nearer to each other. With distance 0 the
+/// same as `first_equal_points()`. O(n) where no place holds many points. \pre `distance` is finite and not
+/// negative.
 std::vector<int> first_near_points(const std::vector<Point>& points, double distance);
 
 } // namespace Reeb_quadrangulation

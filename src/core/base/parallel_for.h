@@ -21,9 +21,10 @@ inline int number_of_threads(int asked) {
   return asked > 0 ? asked : int(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, in increasing order of start. A thread takes
-/// `at_once` of them at a time. After an exception no more are begun, and the first one is thrown again when all threads have ended.
-/// Where the system refuses a thread, those that there are do the work.
+/// Calls `work(i)` for i in [0, n), each once, from at most `threads` threads, in increasing order of start.
+/// A thread takes `at_once` of them at a time. After an exception no more are begun, and the first one is
+/// thrown again when all threads have ended. Where the system refuses a thread, those that there are do the
+/// work.
 template <class Work> void parallel_for(int n, int threads, int at_once, const Work& work) {
   const std::int64_t parts = (std::int64_t(n) + at_once - 1) / at_once;
   if (threads <= 1 || parts <= 1) {

@@ -31,15 +31,17 @@ inline int target(const std::vector<Quad>& quads, int h) {
   return quads[h / 4][(h + 1) & 3];
 }
 
-/// The opposite halfedge of each, or -1 on the boundary. Returns the first quad with an edge that another quad passes in the same
-/// direction or that joins a vertex to itself, or -1 if there is none. O(Q) where valences are bounded.
+/// The opposite halfedge of each, or -1 on the boundary. Returns the first quad with an edge that another
+/// quad passes in the same direction or that joins a vertex to itself, or -1 if there is none. O(Q) where
+/// valences are bounded.
 int connect_quads(const std::vector<Quad>& quads, int number_of_vertices, std::vector<int>& opposite);
 
-/// A quad that names a vertex twice, whose edge another passes in the same direction, or at a vertex whose quads are not one fan; -1 if
-/// the quads are a manifold. O(Q).
+/// A quad that names a vertex twice, whose edge another passes in the same direction, or at a vertex whose
+/// quads are not one fan; -1 if the quads are a manifold. O(Q).
 int find_fault(const std::vector<Quad>& quads, int number_of_vertices);
 
-/// The Euler characteristic and the number of boundary loops of each component of manifold quads. O(Q). \pre `connect_quads()` succeeds.
+/// The Euler characteristic and the number of boundary loops of each component of manifold quads. O(Q). \pre
+/// `connect_quads()` succeeds.
 std::vector<std::pair<int, int>> quad_components(const std::vector<Quad>& quads, int number_of_vertices);
 
 } // namespace internal

@@ -8,8 +8,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// The corner, 0 or 1, at which a quad is cut into two triangles: 0, since its first diagonal may lie on a sharp edge, unless that leaves a
-/// half turned over and the other diagonal does not.
+/// The corner, 0 or 1, at which a quad is cut into two triangles: 0, since its first diagonal may lie on a
+/// sharp edge, unless that leaves a half turned over and the other diagonal does not.
 inline int first_corner_of_cut(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
   const Point mean = (p2 - p0).cross(p3 - p1);
   const auto outward = [&](const Point& a, const Point& b, const Point& c) {

@@ -9,7 +9,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The refusal of an edit: `reason` is one of few sentences, so that refusals can be counted; `details` follow it.
+/// The refusal of an edit: `reason` is one of few sentences, so that refusals can be counted; `details`
+/// follow it.
 Error refuse(const std::string& reason, const std::string& details = {},
              Element_kind element = Element_kind::none, int index = -1);
 

@@ -13,8 +13,9 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// An observer that measures the stages it hears of, and passes everything on. A stage begins with its first `progress()` and lasts until another
-/// one begins; a name that is not in `names` is a part of the stage at that time.
+/// An observer that measures the stages it hears of, and passes everything on. A stage begins with its first
+/// `progress()` and lasts until another one begins; a name that is not in `names` is a part of the stage at
+/// that time.
 class Stage_recorder : public Observer {
 public:
   Stage_recorder(Observer* next, std::set<std::string> names) : m_next(next), m_names(std::move(names)) {}
@@ -24,7 +25,8 @@ public:
 
   /// Ends the present stage, if there is one: what follows belongs to none.
   void end();
-  /// Ends the last stage, and gives all of them in the order in which they began; the time of one that came again is added up.
+  /// Ends the last stage, and gives all of them in the order in which they began; the time of one that came
+  /// again is added up.
   std::vector<Stage_time> finish();
 
 private:

@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace certification {
 
-/// What counts as sharp. Lengths are by the mean edge of the quads: of a line that quads should follow, and of one that makes a corner
-/// where it ends.
+/// What counts as sharp. Lengths are by the mean edge of the quads: of a line that quads should follow, and
+/// of one that makes a corner where it ends.
 struct Sharp_limits {
   static constexpr double angle = 45; // degrees
   static constexpr double long_line = 2, corner_line = 1;

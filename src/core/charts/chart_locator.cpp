@@ -26,7 +26,8 @@ double area(double ax, double ay, double bx, double by, double cx, double cy) {
   return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
 
-// Whether p is not to the right of ab: by an exact predicate where the sign of the area is in doubt (Shewchuk's static bound).
+// Whether p is not to the right of ab: by an exact predicate where the sign of the area is in doubt
+// (Shewchuk's static bound).
 bool not_right(double ax, double ay, double bx, double by, double px, double py) {
   const double left = (ax - px) * (by - py), right = (ay - py) * (bx - px), det = left - right;
   const double size = std::abs(left) + std::abs(right);
@@ -184,7 +185,8 @@ void Chart_locator::gather() {
   m_triangles = std::move(gathered);
 }
 
-// The triangle of the smallest face that contains the point; `found` stays where none is smaller than its face.
+// The triangle of the smallest face that contains the point; `found` stays where none is smaller than its
+// face.
 void Chart_locator::find_triangle(double v, double u, const Plane_triangle*& found) const {
   const Cell* cell;
   for (int g = 0; g >= 0; g = cell->grid) {

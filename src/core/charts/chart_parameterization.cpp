@@ -100,8 +100,8 @@ Result<void> Chart_parameterization::solve_u(const Chart& chart) {
   return m_problem.solve(chart.mesh, m_u);
 }
 
-// The seam is a shortest strip of faces from the LOW walk to the HIGH walk. The edges it crosses carry the jump: -1 from its
-// east side to its west side.
+// The seam is a shortest strip of faces from the LOW walk to the HIGH walk. The edges it crosses carry the
+// jump: -1 from its east side to its west side.
 void Chart_parameterization::choose_seam(const Chart& chart) {
   const Triangle_surface& mesh = chart.mesh;
   const Walk &low = chart.walks[0], &high = chart.walks[1];

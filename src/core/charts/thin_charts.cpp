@@ -25,7 +25,8 @@ public:
               const Contour_network& network)
       : m_surface(surface), m_chart(chart), m_map(map), m_network(network) {}
 
-  // From vertex p, as it is lifted, to vertex q whose V is `end_v`. The first face is returned in `first_face`.
+  // From vertex p, as it is lifted, to vertex q whose V is `end_v`. The first face is returned in
+  // `first_face`.
   Result<std::vector<Line_crossing>> trace(int p, int q, double end_v, int& first_face) {
     m_start = {m_map.v()[p], m_map.u()[p]};
     m_end = {end_v, m_map.u()[q]};

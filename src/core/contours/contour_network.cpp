@@ -147,13 +147,15 @@ double contour_value(const Traced_contour& contour, const Vertex_order& order,
   return 0.5 * (values[below] + values[above]);
 }
 
-// The value's position between the ends of an edge, guarded: after a cleanup neighbouring values may be equal.
+// The value's position between the ends of an edge, guarded: after a cleanup neighbouring values may be
+// equal.
 double wish(double value, double low, double high) {
   if (!(high > low)) return 0.5;
   return std::min(1.0, std::max(0.0, (value - low) / (high - low)));
 }
 
-// For each contour, the network vertex of each halfedge that it crosses: the crossings are new ones of the network.
+// For each contour, the network vertex of each halfedge that it crosses: the crossings are new ones of the
+// network.
 std::vector<std::vector<int>> add_crossings(const Triangle_surface& surface, const Vertex_order& order,
                                             const std::vector<double>& values,
                                             const std::vector<Traced_contour>& contours,
@@ -243,7 +245,8 @@ void add_boundary_contour(const Triangle_surface& surface, const std::vector<int
   for (int h : loop) edge.vertices.push_back(surface.source(h));
   edge.vertices.push_back(edge.vertices.front());
   edge.faces.assign(loop.size(), -1);
-  // The face is on the left of the loop. On a maximum it must be on the right, so the contour runs the other way.
+  // The face is on the left of the loop. On a maximum it must be on the right, so the contour runs the other
+  // way.
   if (is_maximum) std::reverse(edge.vertices.begin(), edge.vertices.end());
   edge.from = edge.to = add_node(network, edge.vertices.front(), Node_kind::boundary);
   network.edges.push_back(std::move(edge));

@@ -50,8 +50,8 @@ private:
   Kernel::Point_3 m_p, m_q, m_r;
 };
 
-// Compares normal * x with normal * point. The kernel's plane through a point would round its last coefficient; this predicate reads
-// the first three only.
+// Compares normal * x with normal * point. The kernel's plane through a point would round its last
+// coefficient; this predicate reads the first three only.
 class Normal_predicate {
 public:
   Normal_predicate(const Point& point, const Eigen::Vector3d& normal)
@@ -140,7 +140,8 @@ void place_crossings(const Triangle_surface& surface, const Cutting_plane& plane
 }
 
 Result<Plane_curves> plane_curves(const Triangle_surface& surface, const Cutting_plane& plane) {
-  // Positions closer to an end than this are of no use to a mesh: the corner that the curve cuts off is a needle.
+  // Positions closer to an end than this are of no use to a mesh: the corner that the curve cuts off is a
+  // needle.
   constexpr double margin = 1e-3;
   Result<std::vector<char>> is_above = classify_vertices(surface, plane);
   if (!is_above) return is_above.error();

@@ -38,8 +38,8 @@ Closed_surface close_boundaries(const Triangle_surface& surface) {
     Point centre(0, 0, 0);
     for (int h : loop) centre += surface.points[surface.source(h)];
     s.points.push_back(centre / n);
-    // Cone face i is (target, source, apex) of loop halfedge i: its halfedge 0 is opposite to the loop, halfedge 1
-    // runs source -> apex and meets halfedge 2 of the previous cone face.
+    // Cone face i is (target, source, apex) of loop halfedge i: its halfedge 0 is opposite to the loop,
+    // halfedge 1 runs source -> apex and meets halfedge 2 of the previous cone face.
     for (int i = 0; i < n; ++i) {
       s.triangles.push_back({surface.target(loop[i]), surface.source(loop[i]), apex});
       s.opposite.push_back(loop[i]);
@@ -77,8 +77,8 @@ Critical_points critical_points(const Triangle_surface& closed, const Vertex_ord
 
 namespace {
 
-// One pass of the flooding: visits all vertices from `seeds` in the order of their ranks (upward for minima), makes
-// values monotone along the visit, and makes the visit the new order.
+// One pass of the flooding: visits all vertices from `seeds` in the order of their ranks (upward for minima),
+// makes values monotone along the visit, and makes the visit the new order.
 void flood(const Triangle_surface& closed, const std::vector<int>& seeds, bool upward,
            std::vector<double>& values, Vertex_order& order) {
   const int n = closed.number_of_vertices();

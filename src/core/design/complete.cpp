@@ -140,8 +140,8 @@ private:
     return {};
   }
 
-  // Layouts in which one count forces others may need many more quads than the edge length asks for. Where all
-  // counts are chosen anew, they are the fewest that the layout can have.
+  // Layouts in which one count forces others may need many more quads than the edge length asks for. Where
+  // all counts are chosen anew, they are the fewest that the layout can have.
   Result<void> check_number(const Sampling& sampling) const {
     constexpr double few = 1e4;
     if (double(sampling.quads) <= few || m_draft.resample) return {};

@@ -24,8 +24,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The harmonic fields of a whole surface. The order of elimination stays from edit to edit, and the factorization if
-/// `Editor_options::keep_factorization` says so, which changes no bit of the results.
+/// The harmonic fields of a whole surface. The order of elimination stays from edit to edit, and the
+/// factorization if `Editor_options::keep_factorization` says so, which changes no bit of the results.
 class Surface_solver {
 public:
   /// Keeps references.
@@ -52,8 +52,8 @@ struct Chart_point {
   Chart_location location;
 };
 
-/// A copy of a design's contours and settings that an edit works on, cut into charts whenever it asks. Thrown away if the edit is
-/// refused.
+/// A copy of a design's contours and settings that an edit works on, cut into charts whenever it asks. Thrown
+/// away if the edit is refused.
 class Draft {
 public:
   Draft(const Triangle_surface& surface, const internal::Lazy_projector& projector, Surface_solver& solver,
@@ -81,7 +81,8 @@ public:
   bool has_pushed_contours =
       false; ///< so that charts may be too thin for numbers: then their maps are checked
 
-  /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails with `refused_edit`.
+  /// Cuts the surface along the network as it is now. Charts with the same contours around them stay. Fails
+  /// with `refused_edit`.
   Result<void> cut();
   /// Becomes what another draft of the same design is.
   void take(Draft&& other);
@@ -96,8 +97,8 @@ public:
   std::vector<int> order_of(const Chart& chart) const { return elimination_order(chart, m_solver.places()); }
   /// Prepares the maps that charts do not have yet, several at once.
   Result<void> prepare_maps();
-  /// Calls `work(c)` for charts, several at once, the largest first, so that two threads end together; returns the first error in the order of
-  /// the list. Fails with `cancelled` where the observer asks for it.
+  /// Calls `work(c)` for charts, several at once, the largest first, so that two threads end together;
+  /// returns the first error in the order of the list. Fails with `cancelled` where the observer asks for it.
   Result<void> for_each_chart(const std::vector<int>& charts,
                               const std::function<Result<void>(int)>& work) const;
   /// Tells the observer that a stage begins; fails with `cancelled` if it asks to stop.
@@ -149,14 +150,17 @@ private:
 
 bool has_edited_texture(const Design& design);
 
-/// The chart before whose contours chart `c` has, but for those that were replaced, and which has an edited texture; or null.
+/// The chart before whose contours chart `c` has, but for those that were replaced, and which has an edited
+/// texture; or null.
 const Design_chart* predecessor(const Draft& draft, int c);
 
-/// Gives a new chart the texture of its predecessor, in the same places of the domain and of the contours. `map` is prepared.
+/// Gives a new chart the texture of its predecessor, in the same places of the domain and of the contours.
+/// `map` is prepared.
 Result<void> inherit_texture(const Draft& draft, const Design_chart& old, const Contour_samples& samples,
                              Chart_parameterization map, Design_chart& made);
 
-/// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads of locked charts are not split.
+/// The quads of a design, on the surface. Fails as `stitch_textures()` does, only with edited textures. Quads
+/// of locked charts are not split.
 Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
                                     const internal::Lazy_projector& projector, const Design& design);
 
@@ -166,9 +170,10 @@ bool folds(const Chart& chart, const Chart_parameterization& map);
 /// Whether the annuli that the draft has new can be mapped: very thin ones fold by rounding.
 bool can_be_mapped(Draft& draft);
 
-/// Joins the saddles on both sides of every annulus that is lower than half a quad, the lowest first, as long as charts result; counts in
-/// `Draft::collapsed_charts`. A quad is as large as the draft's target makes it if its counts are to be chosen anew, else as before. Fails
-/// only as maps and counts do, or with `cancelled`.
+/// Joins the saddles on both sides of every annulus that is lower than half a quad, the lowest first, as long
+/// as charts result; counts in `Draft::collapsed_charts`. A quad is as large as the draft's target makes it
+/// if its counts are to be chosen anew, else as before. Fails only as maps and counts do, or with
+/// `cancelled`.
 Result<void> collapse_thin_charts(Draft& draft);
 
 /// Joins the saddles around an annulus on one contour. Fails with `refused_edit`.

@@ -25,8 +25,8 @@ bool same_walk(const Draft& draft, const Walk& fresh, const Walk& old) {
                     });
 }
 
-// The border of a texture's domain as one coordinate that grows along the walk: V around an annulus; the length from the corner (0, 0)
-// around the rectangle of a disc.
+// The border of a texture's domain as one coordinate that grows along the walk: V around an annulus; the
+// length from the corner (0, 0) around the rectangle of a disc.
 class Domain_border {
 public:
   Domain_border(const Quad_texture& texture, bool clockwise)
@@ -56,8 +56,8 @@ private:
   bool m_annulus, m_clockwise;
 };
 
-// The border coordinates of a walk's vertices and, once around, of the first again: those of the old walk at the same parameter of
-// its contours.
+// The border coordinates of a walk's vertices and, once around, of the first again: those of the old walk at
+// the same parameter of its contours.
 std::vector<double> border_coordinates(const Domain_border& border, const Chart_parameterization& map,
                                        const Walk& old, const std::vector<double>& old_steps,
                                        const std::vector<double>& steps) {
@@ -100,7 +100,8 @@ Result<void> solve(Chart_parameterization& map, const Chart& chart, const Domain
   return map.solve_rectangle(chart, v, u);
 }
 
-// The map of a chart that is cut anew moves what it does not hold on contours: an anchor stands for a place that the user chose.
+// The map of a chart that is cut anew moves what it does not hold on contours: an anchor stands for a place
+// that the user chose.
 void release_moved_anchors(const Design_chart& old, double edge_length, Design_chart& made) {
   std::vector<Eigen::Vector2d> kept;
   for (int v : anchored_vertices(made.texture)) {

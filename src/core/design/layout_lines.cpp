@@ -53,7 +53,8 @@ bool Layout_lines::read(const Design& design) {
     lines.grid = {chart->grid[swapped ? 1 : 0], chart->grid[swapped ? 0 : 1]};
     // A rectangle's grid begins with its first side, however its walk runs.
     if (lines.rectangle) lines.grid = chart->grid;
-    // Where sides are unlike those that a cap gets from its number of samples, they are somebody's choice, and stay.
+    // Where sides are unlike those that a cap gets from its number of samples, they are somebody's choice,
+    // and stay.
     if (lines.disc && chart->grid[0] != (samples / 2 + 1) / 2) lines.rectangle = true;
     m_now.turn.push_back(lines.disc ? modulo(-chart->texture.offset[0], samples) : chart->texture.offset[1]);
     m_charts.push_back(std::move(lines));
@@ -89,7 +90,8 @@ bool Layout_lines::find_kinds(const Design& design) {
   return true;
 }
 
-// A contour that nothing extraordinary lies on is no line of the base complex: the annuli on its sides have the same columns.
+// A contour that nothing extraordinary lies on is no line of the base complex: the annuli on its sides have
+// the same columns.
 void Layout_lines::merge_across_plain_contours(const Design& design) {
   std::vector<int> contour(m_nodes, 0);
   std::iota(contour.begin(), contour.end(), 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The base complex of a design in integers: where separatrices go is told from counts, shifts and corners alone, without quads.
+// The base complex of a design in integers: where separatrices go is told from counts, shifts and corners
+// alone, without quads.
 #ifndef REEBQUAD_DESIGN_LAYOUT_LINES_H
 #define REEBQUAD_DESIGN_LAYOUT_LINES_H
 
@@ -15,15 +16,17 @@ namespace Reeb_quadrangulation {
 /// The integers of a design that are free.
 struct Layout_integers {
   std::vector<int> counts; ///< per contour edge
-  std::vector<int>
-      turn; ///< per chart: columns by which an annulus's HIGH walk is turned east; the sample of a disc's first corner
+  std::vector<int> turn; ///< per chart: columns by which an annulus's HIGH walk is turned east; the sample of
+                         ///< a disc's first corner
 };
 
-/// The lines of edges of a design whose textures are all regular. A column of an annulus goes on straight to the other side, a line of a
-/// cap to the opposite sample; contours are lines themselves. So the base complex is the columns and lines that separatrices take.
+/// The lines of edges of a design whose textures are all regular. A column of an annulus goes on straight to
+/// the other side, a line of a cap to the opposite sample; contours are lines themselves. So the base complex
+/// is the columns and lines that separatrices take.
 class Layout_lines {
 public:
-  /// None if a texture is not regular, or if a node of several contours has valence 4: which of them are straight there?
+  /// None if a texture is not regular, or if a node of several contours has valence 4: which of them are
+  /// straight there?
   static std::optional<Layout_lines> of(const Design& design);
 
   const Layout_integers& integers() const { return m_now; }
@@ -40,7 +43,8 @@ public:
   bool is_rectangle(int chart) const { return m_charts[chart].rectangle; }
   int number_of_charts() const { return int(m_charts.size()); }
 
-  /// The number of patches of the base complex; a ring that no separatrix crosses counts as one. O(columns that separatrices take).
+  /// The number of patches of the base complex; a ring that no separatrix crosses counts as one. O(columns
+  /// that separatrices take).
   int patches();
 
 private:

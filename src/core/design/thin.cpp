@@ -68,7 +68,8 @@ private:
 
   bool is_saddle(int node) const { return m_draft.network.nodes[node].kind == Node_kind::saddle; }
 
-  // The annuli below a height between contours of saddles alone, the lowest first, no two of them on one contour.
+  // The annuli below a height between contours of saddles alone, the lowest first, no two of them on one
+  // contour.
   std::vector<int> thinner_than(double limit) const {
     std::vector<std::pair<double, int>> thin;
     for (int c = 0; c < number_of_charts(); ++c) {

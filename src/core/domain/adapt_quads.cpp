@@ -77,7 +77,8 @@ private:
     if (!resolved) return resolved.error();
     out.mesh = std::move(resolved->mesh);
     for (int parent : resolved->parent) out.parent.push_back(m_parent[parent]);
-    // New vertices: middles of quads and of edges between two that were split have four edges, T-junctions three, before the lines.
+    // New vertices: middles of quads and of edges between two that were split have four edges, T-junctions
+    // three, before the lines.
     const int old = int(before.size());
     before.resize(m_fine.points.size(), 4);
     for (const Hanging_edge& e : m_hanging) before[e.vertices[0]] = 3;
@@ -107,8 +108,8 @@ Point inside(const Quad_mesh& mesh, const Quad& q, double s, double t) {
          t * ((1 - s) * mesh.points[q[3]] + s * mesh.points[q[2]]);
 }
 
-// The greatest angle between the surface's normals at nine points of the quad, which do not include the corners: so that the faces of
-// a sharp edge are seen by the quads that it crosses or bounds alike.
+// The greatest angle between the surface's normals at nine points of the quad, which do not include the
+// corners: so that the faces of a sharp edge are seen by the quads that it crosses or bounds alike.
 double turn(const Quad_mesh& mesh, const Quad& q, const Surface_projector& projector, int& hint) {
   std::array<Point, 9> normals;
   for (int i = 0; i < 9; ++i) {
@@ -157,7 +158,8 @@ public:
     return values;
   }
 
-  // Fills the corners and gaps of regions and takes off what sticks out of them: each corner of a border costs extraordinary vertices.
+  // Fills the corners and gaps of regions and takes off what sticks out of them: each corner of a border
+  // costs extraordinary vertices.
   std::vector<char> smoothed(std::vector<char> marked) const {
     for (const int enough : {2, 2, 3}) {
       const std::vector<char> before = marked;

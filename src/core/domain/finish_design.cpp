@@ -9,8 +9,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// What a turn of the lines between fine and coarse quads costs, times what is asked for: the next one is tried where
-// the one before inverts quads.
+// What a turn of the lines between fine and coarse quads costs, times what is asked for: the next one is
+// tried where the one before inverts quads.
 constexpr double turn_costs[] = {1.0, 0.25, 4.0};
 
 class Design_finisher {

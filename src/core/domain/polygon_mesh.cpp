@@ -17,7 +17,8 @@ Point centre(const Polygon_soup& mesh, int p) {
   return sum / mesh.size_of_polygon(p);
 }
 
-// Corners of an oriented manifold polygon mesh as halfedges: corner c of polygon p stands for the edge from it to the next.
+// Corners of an oriented manifold polygon mesh as halfedges: corner c of polygon p stands for the edge from
+// it to the next.
 class Corners {
 public:
   explicit Corners(const Polygon_soup& mesh) : m_mesh(mesh) {
@@ -109,8 +110,8 @@ Polygon_soup diagonal_quads(const Quad_mesh& mesh, const std::vector<int>& oppos
   return out;
 }
 
-// Triangles, two a quad. From quad to quad in breadth: of an edge's two ends, the diagonal of the one quad takes one and that of
-// the other the other.
+// Triangles, two a quad. From quad to quad in breadth: of an edge's two ends, the diagonal of the one quad
+// takes one and that of the other the other.
 Polygon_soup parallel_triangles(const Quad_mesh& mesh, const std::vector<int>& opposite) {
   std::vector<int> from(mesh.quads.size(), -1); // the diagonal begins at this corner, 0 or 1
   std::vector<int> queue;

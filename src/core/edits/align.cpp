@@ -26,17 +26,19 @@ constexpr double price_of_counts = 0.05;
 // The number of quads stays within this part.
 constexpr double quads_kept = 0.02;
 
-// What the search accepts at its start though it is worse, in the unit of what a base complex e times as large costs.
+// What the search accepts at its start though it is worse, in the unit of what a base complex e times as
+// large costs.
 constexpr double first_temperature = 0.6;
 
-// What an angle between columns and rows costs beside the scaled Jacobian, per radian that it differs from a right one: the Jacobian hardly
-// feels a little lean, and eyes do.
+// What an angle between columns and rows costs beside the scaled Jacobian, per radian that it differs from a
+// right one: the Jacobian hardly feels a little lean, and eyes do.
 constexpr double price_of_angles = 0.25;
 
 // Triangles of a chart that its price is told from, at most about.
 constexpr int most_triangles = 500;
 
-// The best turn of an annulus for any counts: it is linear in them, but for the division by the columns. See `best_turn()`.
+// The best turn of an annulus for any counts: it is linear in them, but for the division by the columns. See
+// `best_turn()`.
 class Turn_of_counts {
 public:
   Turn_of_counts(const Chart& chart, const Contour_samples& samples, const Chart_parameterization& map) {
@@ -82,8 +84,8 @@ private:
   std::array<double, 2> m_natural{{0, 0}};
 };
 
-// How much quads of an annulus lean when its columns do: told from its map, triangle by triangle. The angle between columns and rows does not
-// depend on how many there are.
+// How much quads of an annulus lean when its columns do: told from its map, triangle by triangle. The angle
+// between columns and rows does not depend on how many there are.
 class Leaning {
 public:
   Leaning(const Design_chart& chart) : m_step(0.5 / double(chart.grid[0])) {
@@ -259,7 +261,8 @@ private:
 // Contour edges that can get more or fewer steps together: a cycle of charts, with the sign of each.
 using Cycle = std::vector<std::pair<int, int>>;
 
-// Counts are a flow from the charts below to those above; discs and what lies outside of the surface take and give what there is.
+// Counts are a flow from the charts below to those above; discs and what lies outside of the surface take and
+// give what there is.
 class Cycles {
 public:
   Cycles(const Draft& draft, const Layout_lines& lines) : m_ground(lines.number_of_charts()) {
@@ -338,7 +341,8 @@ private:
   std::vector<Cycle> m_cycles;
 };
 
-// A descent from the best of a walk that accepts worse layouts less and less (Kirkpatrick, Gelatt, Vecchi 1983).
+// A descent from the best of a walk that accepts worse layouts less and less (Kirkpatrick, Gelatt, Vecchi
+// 1983).
 class Alignment {
 public:
   Alignment(const Draft& draft, Layout_lines& lines, const Align_layout& edit)

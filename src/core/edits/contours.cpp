@@ -332,7 +332,8 @@ Result<void> apply_edit(Draft& draft, const Collapse_thin_charts&) {
 
 namespace {
 
-// The borders of the smooth pieces between sharp edges, as closed lists of vertices, those that lie in some charts.
+// The borders of the smooth pieces between sharp edges, as closed lists of vertices, those that lie in some
+// charts.
 std::vector<std::vector<int>> feature_loops(const Draft& draft, const std::set<int>& charts, int moved,
                                             double angle) {
   const Triangle_surface& s = draft.surface();
@@ -373,7 +374,8 @@ std::vector<std::vector<int>> feature_loops(const Draft& draft, const std::set<i
   return loops;
 }
 
-// Turns a closed list of vertices so that it begins where it bends most: there the contour has a sample for certain.
+// Turns a closed list of vertices so that it begins where it bends most: there the contour has a sample for
+// certain.
 void begin_at_corner(const Triangle_surface& s, std::vector<int>& loop) {
   const int n = int(loop.size());
   int corner = 0;

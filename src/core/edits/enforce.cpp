@@ -39,7 +39,8 @@ struct Held {
   std::vector<Ring> rings;
 };
 
-// The contours that a field brings back, as level lines: those of saddles, and rings. Caps and boundary loops come back by themselves.
+// The contours that a field brings back, as level lines: those of saddles, and rings. Caps and boundary loops
+// come back by themselves.
 Result<Held> held_contours(const Draft& draft) {
   Held held;
   for (std::size_t e = 0; e < draft.network.edges.size(); ++e) {
@@ -136,7 +137,8 @@ Designed_field field_of(const Draft& draft, std::vector<double> values) {
   return field;
 }
 
-// What each contour joins: the extrema that its charts end in, and -1 for each chart that ends in another contour.
+// What each contour joins: the extrema that its charts end in, and -1 for each chart that ends in another
+// contour.
 std::vector<std::vector<int>> joined_ends(const Atlas& atlas, const Contour_network& network) {
   const Reeb_graph graph = reeb_graph(atlas, network);
   std::vector<std::vector<int>> ends(graph.number_of_nodes());

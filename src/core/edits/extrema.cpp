@@ -209,7 +209,8 @@ double flux_at(const Triangle_surface& mesh, const Edge_weights& weights, const 
   return flux;
 }
 
-// How far the field may be lifted at a vertex until a neighbour of a walk or of an extremum reaches its value (METHOD: q_max).
+// How far the field may be lifted at a vertex until a neighbour of a walk or of an extremum reaches its value
+// (METHOD: q_max).
 double largest_lift(const Draft& draft, const Region& region, const std::vector<double>& u,
                     const std::vector<double>& green, double sign) {
   const Triangle_surface& mesh = region.chart.mesh;
@@ -237,7 +238,8 @@ Result<void> lift(Draft& draft, Region& region, int added, double strength) {
                                      [&](const Design_extremum& e) { return e.vertex == added; });
   Result<Dirichlet_problem> problem = region_problem(draft, region);
   if (!problem) return refuse("the field cannot be solved", problem.error().message);
-  // The response to 1 at the new extremum, and the field as it is without it: with the multiple of the response that leaves no flux.
+  // The response to 1 at the new extremum, and the field as it is without it: with the multiple of the
+  // response that leaves no flux.
   std::vector<double> green(mesh.number_of_vertices(), 0.0);
   green[added] = 1;
   if (Result<void> solved = problem->solve(mesh, green); !solved) return solved;
@@ -365,7 +367,8 @@ int cap_contour(const Draft& draft, int chart) {
 
 namespace {
 
-// The charts around a disc's extremum that its cap only divides: the disc, and the annulus (or disc) beyond the cap.
+// The charts around a disc's extremum that its cap only divides: the disc, and the annulus (or disc) beyond
+// the cap.
 std::set<int> polar_charts(const Draft& draft, int disc) {
   std::set<int> charts{disc};
   if (const int cap = cap_contour(draft, disc); cap >= 0)

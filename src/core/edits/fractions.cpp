@@ -19,7 +19,8 @@ Side side_of(const Draft& draft, int edge, int chart) {
   return draft.atlas().charts_of_edge[edge][0] == chart ? e.left : e.right;
 }
 
-// A saddle whose contour is a figure eight that belongs to it alone: chart `trunk` passes it twice, the `branches` once.
+// A saddle whose contour is a figure eight that belongs to it alone: chart `trunk` passes it twice, the
+// `branches` once.
 struct Simple_saddle {
   int node = -1, vertex = -1;
   std::array<int, 2> loops{{-1, -1}};
@@ -61,7 +62,8 @@ public:
     return Annulus_metric(draft, draft.chart(c), std::move(*map));
   }
 
-  // The interior vertex of the surface that is nearest to the point `size` away from a walk's vertex, straight across.
+  // The interior vertex of the surface that is nearest to the point `size` away from a walk's vertex,
+  // straight across.
   int vertex_across(Side side, int walk_index, double size) const {
     const Height_profile& profile = m_map.profile();
     const double height = profile.total(), v = m_map.natural(side)[walk_index];
@@ -242,8 +244,8 @@ Result<std::array<int, 2>> corners_on_loop(const Draft& draft, int loop,
   return at;
 }
 
-// A path around a visit of the saddle inside chart `c`, from contour vertex `from` to contour vertex `to` by way of a vertex straight
-// across from number `visit` of the walk on `side`.
+// A path around a visit of the saddle inside chart `c`, from contour vertex `from` to contour vertex `to` by
+// way of a vertex straight across from number `visit` of the walk on `side`.
 Result<Contour_edge> path_around(Draft& draft, int c, Side side, int visit, double size, int from, int to) {
   Result<Annulus_metric> metric = Annulus_metric::of(draft, c);
   if (!metric) return metric.error();
@@ -274,7 +276,8 @@ Result<Contour_edge> path_around(Draft& draft, int c, Side side, int visit, doub
   return joined(std::move(halves[0]), halves[1]);
 }
 
-// A path between two contour vertices in the plane through them that stands upright on the surface at `vertex` of it.
+// A path between two contour vertices in the plane through them that stands upright on the surface at
+// `vertex` of it.
 Result<Contour_edge> upright_path(Draft& draft, int vertex, int from, int to) {
   const Triangle_surface& surface = draft.surface();
   const Point a = draft.position(from), b = draft.position(to);
@@ -304,8 +307,8 @@ void keep_middle(Contour_network& network, int e, const std::array<int, 2>& corn
   network.edges.push_back(std::move(rest));
 }
 
-// A rectangle around the old saddle: its corners lie on the loops, its sides cut off the corners of the four sectors; straight ones
-// lie in planes, the others go around by way of a point across from the saddle.
+// A rectangle around the old saddle: its corners lie on the loops, its sides cut off the corners of the four
+// sectors; straight ones lie in planes, the others go around by way of a point across from the saddle.
 Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split_saddle& edit,
                                bool straight) {
   if (!edit.points.empty() && edit.points.size() != 4)
@@ -358,7 +361,8 @@ Result<void> split_in_quarters(Draft& draft, const Simple_saddle& s, const Split
     side.path.from = node.at(side.ends[0]);
     side.path.to = node.at(side.ends[1]);
     side.path.value = value;
-    // The rectangle takes the place of the branches beside the trunk, and is on the same side as the branches themselves.
+    // The rectangle takes the place of the branches beside the trunk, and is on the same side as the branches
+    // themselves.
     side.path.left = branch_on_left || side.faces_branch ? branch_side[0] : trunk_side;
     side.path.right = !branch_on_left || side.faces_branch ? branch_side[0] : trunk_side;
     draft.network.edges.push_back(std::move(side.path));

@@ -45,7 +45,8 @@ std::vector<int> neighbours(const Draft& draft, const std::vector<int>& edges, b
   return {found.begin(), found.end()};
 }
 
-// How the area of a chart is distributed over its level lines: its vertices with their share of the area, from the low side up.
+// How the area of a chart is distributed over its level lines: its vertices with their share of the area,
+// from the low side up.
 struct Level_area {
   std::vector<int> vertices; // of the chart
   std::vector<double> below; // the area below each, as a share
@@ -138,7 +139,8 @@ struct Way {
 // How the other loops of a saddle make room.
 enum class Style { pushed, short_ones };
 
-// Draws `e` to a course, then the others where they were, as far as that is left to them; or loops of saddles as short as they can be.
+// Draws `e` to a course, then the others where they were, as far as that is left to them; or loops of saddles
+// as short as they can be.
 Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, const Course& course,
                     Style style) {
   Way way{draft};
@@ -228,7 +230,8 @@ Result<void> move_towards_plane(Draft& draft, int e, const Point& point, const E
 
 namespace {
 
-// Moves a saddle whose contours are the loops `edges` to a vertex; by planes of a normal, or dragged along with it.
+// Moves a saddle whose contours are the loops `edges` to a vertex; by planes of a normal, or dragged along
+// with it.
 Result<void> move_loops(Draft& draft, int node, int vertex, const std::vector<int>& edges,
                         const std::optional<Eigen::Vector3d>& normal) {
   std::map<int, std::vector<Point>> places; // of the loops as they are

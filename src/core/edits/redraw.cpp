@@ -142,7 +142,8 @@ Result<void> Redrawing::prepare_levels() {
   return {};
 }
 
-// Per chart of the draft 1 on the left of an edge, -1 on its right, 0 elsewhere; nothing if the edge parts nothing.
+// Per chart of the draft 1 on the left of an edge, -1 on its right, 0 elsewhere; nothing if the edge parts
+// nothing.
 std::vector<signed char> Redrawing::homes_of_charts(int edge) const {
   std::vector<signed char> home(m_draft.atlas().charts.size(), 0);
   for (int side : {0, 1}) {
@@ -256,8 +257,8 @@ void Redrawing::keep_off(int edge, Asked& asked) const {
   }
 }
 
-// The visits of the edge's nodes where it lay before, or where its course goes if a node has moved: its right side comes before its left
-// one where it begins, after it where it ends.
+// The visits of the edge's nodes where it lay before, or where its course goes if a node has moved: its right
+// side comes before its left one where it begins, after it where it ends.
 bool Redrawing::find_ends(int edge, Asked& asked) const {
   if (m_free.count(edge)) return true;
   const Triangle_surface& mesh = asked.region.chart.mesh;

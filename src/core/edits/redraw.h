@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours that give way: several contour edges are taken out of a draft and drawn anew, one after the other, in the region that their
-// charts make up.
+// Contours that give way: several contour edges are taken out of a draft and drawn anew, one after the other,
+// in the region that their charts make up.
 #ifndef REEBQUAD_EDITS_REDRAW_H
 #define REEBQUAD_EDITS_REDRAW_H
 
@@ -15,8 +15,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Where a contour shall run: zero on it, positive on its left. Gets a point and the side (1 left, -1 right) on which it lies of the
-/// contour as it was.
+/// Where a contour shall run: zero on it, positive on its left. Gets a point and the side (1 left, -1 right)
+/// on which it lies of the contour as it was.
 using Course = std::function<double(const Point& point, int home)>;
 
 /// The course in a plane whose upper side is on the left.
@@ -25,25 +25,28 @@ Course plane_course(const Point& point, const Eigen::Vector3d& normal);
 /// The course that an edge of a draft has; other contours push it away.
 Course old_course(const Draft& draft, int edge);
 
-/// Contour edges of a draft that are drawn anew. Each parts the region of all their charts: it is a free loop, or one of several loops at
-/// one saddle, or the only edge that is drawn. The charts beside them are bounded as before, whatever the courses; how far a contour
-/// could follow its course, `draw()` tells. A failure leaves the draft in any state.
+/// Contour edges of a draft that are drawn anew. Each parts the region of all their charts: it is a free
+/// loop, or one of several loops at one saddle, or the only edge that is drawn. The charts beside them are
+/// bounded as before, whatever the courses; how far a contour could follow its course, `draw()` tells. A
+/// failure leaves the draft in any state.
 class Redrawing {
 public:
-  /// Takes the edges out. Fails with `refused_edit` if one of them is a boundary, or has the same region on both sides.
+  /// Takes the edges out. Fails with `refused_edit` if one of them is a boundary, or has the same region on
+  /// both sides.
   static Result<Redrawing> of(Draft& draft, const std::vector<int>& edges);
 
   /// Lets the edges that end at a node end at another, inside the region.
   void move_node(int old, int fresh) { m_moved_nodes[old] = fresh; }
 
-  /// Draws an edge; returns the share of its length that follows the course. With `either_sense` the course's other side may be the left
-  /// one, whichever it can follow better.
+  /// Draws an edge; returns the share of its length that follows the course. With `either_sense` the course's
+  /// other side may be the left one, whichever it can follow better.
   Result<double> draw(int edge, const Course& course, bool either_sense = false);
 
   /// The contour edge that kept the last one that was drawn from its course on most of its way, or -1.
   int obstacle() const { return m_obstacle; }
 
-  /// On which side of an edge a vertex of the surface lies in the region as it was: 1 left, -1 right, 0 on it or elsewhere.
+  /// On which side of an edge a vertex of the surface lies in the region as it was: 1 left, -1 right, 0 on it
+  /// or elsewhere.
   int side_of(int edge, int vertex) const;
 
   /// Draws an edge as short as the contours around it allow.

@@ -39,7 +39,8 @@ private:
   bool is_wall(int v) const { return !m_is_wall.empty() && m_is_wall[v]; }
   double margin_at(int v) const { return is_wall(v) ? 0.2 : band_margin; }
 
-  // Each crossing goes where the line between its neighbours crosses the edge when the two faces are unfolded.
+  // Each crossing goes where the line between its neighbours crosses the edge when the two faces are
+  // unfolded.
   void slide() {
     for (int i = 0; i < size(); ++i) {
       const int a = m_surface.source(m_band.exit[i]), b = m_surface.target(m_band.exit[i]);
@@ -58,7 +59,8 @@ private:
     return -1;
   }
 
-  // Where a run of crossings turns around a vertex by less than half of its angle, the way on the other side is shorter.
+  // Where a run of crossings turns around a vertex by less than half of its angle, the way on the other side
+  // is shorter.
   bool hop() {
     bool hopped = false;
     for (int i = 0; i < size(); ++i) {
@@ -112,7 +114,8 @@ private:
     } while (h != m_surface.outgoing[v]);
     return sum;
   }
-  // Of the faces before, between and after the run, which the band passes around v: on the far side of v lies the rest.
+  // Of the faces before, between and after the run, which the band passes around v: on the far side of v lies
+  // the rest.
   double angle(int v, int first, int run) const {
     double sum = corner_at(v, m_band.exit[first] / 3);
     for (int i = first; i < first + run; ++i) sum += corner_at(v, m_surface.opposite[m_band.exit[i]] / 3);
@@ -158,7 +161,8 @@ private:
     m_band.t.erase(m_band.t.begin() + i);
   }
 
-  // A crossing that is followed by one of the same edge goes there and back; one of an edge at the band's own end goes around nothing.
+  // A crossing that is followed by one of the same edge goes there and back; one of an edge at the band's own
+  // end goes around nothing.
   void remove_returns() {
     const int least = is_closed() ? 3 : 0;
     for (bool again = true; again && size() > least;) {

@@ -10,8 +10,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// A curve over the edges of a mesh: it crosses `exit[i]`, a halfedge of the face that it leaves, at `t[i]` from its source. It is closed,
-/// or begins and ends at two vertices (or one).
+/// A curve over the edges of a mesh: it crosses `exit[i]`, a halfedge of the face that it leaves, at `t[i]`
+/// from its source. It is closed, or begins and ends at two vertices (or one).
 struct Band {
   std::vector<int> exit;
   std::vector<double> t;
@@ -21,8 +21,8 @@ struct Band {
 /// How near to a vertex a band comes before it hops, as a share of the edge.
 constexpr double band_margin = 0.02;
 
-/// Pulls a band for some rounds. It hops over no vertex on the boundary, and over none of `is_wall` (per vertex; may be empty), from which
-/// it stays a fifth of an edge away. O(rounds * crossings).
+/// Pulls a band for some rounds. It hops over no vertex on the boundary, and over none of `is_wall` (per
+/// vertex; may be empty), from which it stays a fifth of an edge away. O(rounds * crossings).
 Band tightened(const Triangle_surface& mesh, Band band, int rounds, const std::vector<char>& is_wall = {});
 
 } // namespace Reeb_quadrangulation

@@ -93,7 +93,8 @@ Result<Saddle_move> read(const Draft& draft, const Move_saddle& edit) {
   return move;
 }
 
-// On flat triangles, and beside the ridge of a saddle, another vertex near it may be one where the plane meets the surface so.
+// On flat triangles, and beside the ridge of a saddle, another vertex near it may be one where the plane
+// meets the surface so.
 Result<Saddle_move> with_one_plane(const Draft& draft, const Move_saddle& edit, Saddle_move move,
                                    const std::vector<int>& vertices) {
   const std::size_t ends = draft.edges_at(move.node).size();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Splits saddles of any multiplicity, also where several share a contour, by the combinatorics of the contours around one node.
+// Splits saddles of any multiplicity, also where several share a contour, by the combinatorics of the
+// contours around one node.
 //
-// 2k contours ("prongs") end at a saddle of multiplicity k - 1; between them lie 2k sectors, in turn below and above it. Each sector is
-// one visit of a chart's walk. Half-saddles: in every sector of one kind the contour retreats across the sector to a new vertex with
-// three prongs, which a spoke joins to the old one; that keeps k prongs, and is regular if k = 2. Quarter-saddles: a rectangle whose
-// corners lie on the four prongs of a simple saddle cuts off the four sectors. A degenerate saddle is unfolded first: a new saddle on one
-// of its prongs takes over the two prongs beside it, again and again, until all are simple.
+// 2k contours ("prongs") end at a saddle of multiplicity k - 1; between them lie 2k sectors, in turn below
+// and above it. Each sector is one visit of a chart's walk. Half-saddles: in every sector of one kind the
+// contour retreats across the sector to a new vertex with three prongs, which a spoke joins to the old one;
+// that keeps k prongs, and is regular if k = 2. Quarter-saddles: a rectangle whose corners lie on the four
+// prongs of a simple saddle cuts off the four sectors. A degenerate saddle is unfolded first: a new saddle on
+// one of its prongs takes over the two prongs beside it, again and again, until all are simple.
 #include "edits/steps.h"
 
 #include <CGAL/Reeb_quadrangulation/thin_charts.h>
@@ -59,7 +61,8 @@ std::vector<Sector> sectors_at(const Draft& draft, int node) {
   return sectors;
 }
 
-// What becomes of a prong: the edge begins at its vertex number `index`, or at the end of a path that leads there.
+// What becomes of a prong: the edge begins at its vertex number `index`, or at the end of a path that leads
+// there.
 struct Trim {
   int index = -1;
   int node = -1;
@@ -240,7 +243,8 @@ private:
     return m_draft.network.edges[prong.edge].vertices[std::size_t(index)];
   }
 
-  // The first vertex of a prong that is so far from the saddle, but none of its other half unless it is the first; -1 if there is none.
+  // The first vertex of a prong that is so far from the saddle, but none of its other half unless it is the
+  // first; -1 if there is none.
   int index_at(const Prong& prong, double distance) const {
     const std::vector<int>& v = m_draft.network.edges[prong.edge].vertices;
     const double all = length_of(prong.edge);
@@ -300,8 +304,8 @@ private:
     return place;
   }
 
-  // The vertex of the surface inside the chart that is nearest to a point straight across, above the part that is cut off; or one of
-  // the points given, which is then taken from them.
+  // The vertex of the surface inside the chart that is nearest to a point straight across, above the part
+  // that is cut off; or one of the points given, which is then taken from them.
   bool find_apex(double across, std::vector<int>* points, Place& place) const {
     const Chart& chart = m_draft.chart(place.sector.chart);
     const Chart_parameterization& map = *place.map;

@@ -54,13 +54,15 @@ Result<Design> with_texture(const Draft& draft, const Fit_texture& edit);
 /// \name Parts of edits
 /// @{
 
-/// Designs some charts, which form one region around the vertex `inside`, anew with the extrema that lie in it; the contours around
-/// the region stay. With `added`, that extremum gets the value at `strength` of the way to where it breaks something.
+/// Designs some charts, which form one region around the vertex `inside`, anew with the extrema that lie in
+/// it; the contours around the region stay. With `added`, that extremum gets the value at `strength` of the
+/// way to where it breaks something.
 Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int inside, int added,
                              double strength);
 
-/// Designs the whole surface anew with these extrema, and with the field constant on curves, which become contours as they are. Minima
-/// and maxima of the caps of curves are added. Whether boundary loops are maxima: an entry a loop.
+/// Designs the whole surface anew with these extrema, and with the field constant on curves, which become
+/// contours as they are. Minima and maxima of the caps of curves are added. Whether boundary loops are
+/// maxima: an entry a loop.
 Result<void> design_on_curves(Draft& draft, std::vector<Design_extremum> extrema,
                               const std::vector<Set_extrema::Sharp_curve>& curves,
                               const std::vector<bool>& boundary_is_maximum);
@@ -71,29 +73,31 @@ void sort_by_vertex(std::vector<Design_extremum>& extrema);
 /// The charts that a field on the whole surface cuts it into; refused if it lacks one of its extrema.
 Result<Reeb_layout> layout_of(const Draft& draft, const Designed_field& field);
 
-/// A field on a chart whose level lines go around it, from 0 to 1: U of an annulus; between the walk and the extremum of a disc.
+/// A field on a chart whose level lines go around it, from 0 to 1: U of an annulus; between the walk and the
+/// extremum of a disc.
 Result<std::vector<double>> level_field(Draft& draft, int chart);
 
 /// The design's field at the two ends of a chart.
 std::array<double, 2> value_range(const Draft& draft, const Chart& chart);
 
-/// Lets the field follow contours that have taken the place of edge `old`, and perhaps of others, in a trial of the draft, on the whole
-/// surface: the new contours are level lines near them.
+/// Lets the field follow contours that have taken the place of edge `old`, and perhaps of others, in a trial
+/// of the draft, on the whole surface: the new contours are level lines near them.
 Result<void> enforce_by_field(Draft& draft, int old, const Draft& trial);
 
 /// Splits a saddle of any multiplicity, also one that shares its contour with others.
 Result<void> split_saddle_by_sectors(Draft& draft, int node, const Split_saddle& edit);
 
-/// Moves a contour edge towards a plane where the plane itself cannot be the contour: it follows the plane as far as its charts allow; if
-/// that is not far, other loops of its saddle and free loops beside its charts give way. Refused if it would hardly follow the plane,
-/// with the contour that is in the way.
+/// Moves a contour edge towards a plane where the plane itself cannot be the contour: it follows the plane as
+/// far as its charts allow; if that is not far, other loops of its saddle and free loops beside its charts
+/// give way. Refused if it would hardly follow the plane, with the contour that is in the way.
 Result<void> move_towards_plane(Draft& draft, int edge, const Point& point, const Eigen::Vector3d& normal);
 
-/// Moves a saddle all of whose contours are loops to a vertex in the charts around it; its loops go to planes of their own, whose normals
-/// are those of the loops, or the one given.
+/// Moves a saddle all of whose contours are loops to a vertex in the charts around it; its loops go to planes
+/// of their own, whose normals are those of the loops, or the one given.
 Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal);
 
-/// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The draft is not cut.
+/// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The
+/// draft is not cut.
 Result<int> draw_level_line(Draft& draft, int chart, int vertex);
 
 /// The contour edge at a point, which an edit may remove: a free loop inside the surface.
@@ -109,7 +113,8 @@ struct Chart_signature {
 /// The signature of the chart on the left (0) or right (1) of a contour edge; edges in `names` go by these.
 Chart_signature chart_beside(const Draft& draft, int edge, int side, const std::map<int, int>& names);
 
-/// Puts a new polyline in the place of contour edge `old`, in the sense in which the same charts stay on its left.
+/// Puts a new polyline in the place of contour edge `old`, in the sense in which the same charts stay on its
+/// left.
 Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh);
 
 /// The sum of the normals of the triangles at a vertex, each as long as twice its area.

@@ -205,7 +205,8 @@ private:
   std::vector<std::unique_ptr<Placed_texture>> m_changed;
 };
 
-// The polychord goes on across the contours; what is inserted or deleted in one chart leaves the places in others alone.
+// The polychord goes on across the contours; what is inserted or deleted in one chart leaves the places in
+// others alone.
 Result<void> apply_through_charts(Texturing& textures, const Draft& draft, int c, const Texture_place& place,
                                   const Edit_texture& edit) {
   const bool inserts = edit.operation == Texture_operator::insert_polychord;

@@ -11,8 +11,8 @@ namespace Reeb_quadrangulation {
 namespace internal {
 
 /// For each vertex near vertices on curves, the chain that it was moved for: that of the nearest of these,
-/// counted in quads; -1 elsewhere. `chain_of_curve` tells the chains of the curves; vertices held at an end of
-/// a curve count as on it.
+/// counted in quads; -1 elsewhere. `chain_of_curve` tells the chains of the curves; vertices held at an end
+/// of a curve count as on it.
 std::vector<int> chains_around(const Quad_mesh& mesh, const Vertex_constraints& onto,
                                const std::vector<int>& chain_of_curve);
 
@@ -20,8 +20,8 @@ std::vector<int> chains_around(const Quad_mesh& mesh, const Vertex_constraints& 
 std::vector<int> chains_at(const Quad_mesh& mesh, const std::vector<int>& quads,
                            const std::vector<int>& chain_of_vertex);
 
-/// The fewest chains around which the scaled Jacobians have fallen by `sum` in all, chosen by what each costs;
-/// ascending.
+/// The fewest chains around which the scaled Jacobians have fallen by `sum` in all, chosen by what each
+/// costs; ascending.
 std::vector<int> costliest_chains(const Quad_mesh& before, const Quad_mesh& after,
                                   const std::vector<int>& chain_of_vertex, double sum);
 

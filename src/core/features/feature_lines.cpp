@@ -22,7 +22,8 @@ constexpr int most_cuts = 12;
 // Vertices give way that are so many edges away, for each edge that a line may be moved.
 constexpr double rings_per_reach = 4;
 
-// A straight line of edges along a part of a curve. Arc lengths ascend; on closed curves they may leave [0, length).
+// A straight line of edges along a part of a curve. Arc lengths ascend; on closed curves they may leave [0,
+// length).
 struct Line {
   int curve = -1;
   std::vector<int> vertices;
@@ -240,7 +241,8 @@ private:
       line.t[i] = t;
   }
 
-  // Where the vertices of a line and those around it come to lie: `m_moved`, in the order of the vertices that it returns.
+  // Where the vertices of a line and those around it come to lie: `m_moved`, in the order of the vertices
+  // that it returns.
   std::vector<int> draw_along(const Line& line) {
     std::vector<int> around = line.vertices;
     m_moved.clear();

@@ -25,10 +25,11 @@ struct Line_way {
       {}; ///< `Snap_options::worst_jacobian` of the quads around a line, if it differs
 };
 
-/// Moves lines of edges onto the curves that they run along, and the vertices around them by less and less. A line takes a part of a
-/// curve along which it stays nearer than `options.line_reach` edges and goes straight through the quads, and has a vertex among `seeds`;
-/// the best ones are taken first. A line is taken only if no quad becomes worse than `worst`, or than it was; else without its vertices at such
-/// quads. Vertices that are `held` stay; those of lines become so, and their places are added. Returns the number of these.
+/// Moves lines of edges onto the curves that they run along, and the vertices around them by less and less. A
+/// line takes a part of a curve along which it stays nearer than `options.line_reach` edges and goes straight
+/// through the quads, and has a vertex among `seeds`; the best ones are taken first. A line is taken only if
+/// no quad becomes worse than `worst`, or than it was; else without its vertices at such quads. Vertices that
+/// are `held` stay; those of lines become so, and their places are added. Returns the number of these.
 int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
                           const std::vector<Surface_curve>& curves, const std::vector<Feature_seed>& seeds,
                           const Snap_options& options, double worst, std::vector<char>& held,

@@ -13,8 +13,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// A vertex so near to a sharp edge, in lengths of its quads' edges, was put onto it by the design: rounding is all
-// that it is away.
+// A vertex so near to a sharp edge, in lengths of its quads' edges, was put onto it by the design: rounding
+// is all that it is away.
 constexpr double on_it = 0.01;
 
 // Quads without defects that snapping spoils are mended within a few attempts or, as a rule, not at all.
@@ -23,8 +23,8 @@ constexpr int attempts_of_good_quads = 4;
 // So often chains are refused; each time quads are snapped and relaxed anew.
 constexpr int most_refusals = 6;
 
-// Once quads are relaxed around the vertices on sharp edges, more vertices come near these; after the second round
-// hardly any.
+// Once quads are relaxed around the vertices on sharp edges, more vertices come near these; after the second
+// round hardly any.
 constexpr int rounds_onto_crossings = 2;
 
 // A scaled Jacobian below which a quad is poor: it may not become poorer for the sake of a sharp edge.
@@ -58,8 +58,8 @@ public:
       : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_features(features),
         m_is_given(true), m_observer(observer), m_held(held) {}
 
-  // Quads are first relaxed without regard to sharp edges. Of the ways onto these, the first is taken that makes
-  // them no worse.
+  // Quads are first relaxed without regard to sharp edges. Of the ways onto these, the first is taken that
+  // makes them no worse.
   Result<Finished_quads> run(Quad_mesh mesh) const {
     Finished_quads plain;
     plain.mesh = std::move(mesh);
@@ -232,8 +232,8 @@ private:
     return result;
   }
 
-  // Fewer defects are always better. Sharp edges are worth a little of the quads' mean quality, but good quads
-  // stay good.
+  // Fewer defects are always better. Sharp edges are worth a little of the quads' mean quality, but good
+  // quads stay good.
   bool is_worse(const Relax_report& a, const Relax_report& b) const {
     if (a.inverted_after > b.inverted_after || a.intersections_after > b.intersections_after) return true;
     if (a.inverted_after < b.inverted_after || a.intersections_after < b.intersections_after) return false;

@@ -27,7 +27,8 @@ Kernel::Point_3 to_kernel(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Where a vertex is to go, and how far that is: to an edge in units of its shortest edge, to a corner of its mean one.
+// Where a vertex is to go, and how far that is: to an edge in units of its shortest edge, to a corner of its
+// mean one.
 struct Wish {
   double distance = 0;
   int vertex = -1;
@@ -59,8 +60,8 @@ public:
     mark_boundary();
   }
 
-  // Chains whose entry in `is_refused` is nonzero, if it has entries, are none; `points` are corners that count without
-  // sharp edges too.
+  // Chains whose entry in `is_refused` is nonzero, if it has entries, are none; `points` are corners that
+  // count without sharp edges too.
   Snap_report run(const Feature_edges& features, const std::vector<int>& points,
                   const std::vector<char>& is_refused = {}) {
     collect(features, points, is_refused);
@@ -293,7 +294,8 @@ private:
     return (m_mesh.points[near.vertex] - near.target).dot(across) < 0 ? -1 : 1;
   }
 
-  // Where an edge crosses a sharp edge between its ends, the nearer of these, or else the other one, comes to lie there.
+  // Where an edge crosses a sharp edge between its ends, the nearer of these, or else the other one, comes to
+  // lie there.
   void snap_crossings(const std::vector<Wish>& near) {
     std::vector<std::pair<double, std::array<int, 2>>> crossings;
     for (const Quad& quad : m_mesh.quads)
@@ -372,8 +374,8 @@ private:
   Snap_report m_report;
 };
 
-// How far the middle of a diagonal is from the curve that one of its ends lies on, in units of its length; large if its ends are not both on
-// curves.
+// How far the middle of a diagonal is from the curve that one of its ends lies on, in units of its length;
+// large if its ends are not both on curves.
 double distance_from_curve(const Quad_mesh& mesh, const Vertex_constraints& constraints,
                            const std::vector<int>& place_of, int a, int b) {
   const auto on_feature = [&](int v) { return place_of[v] >= 0 || constraints.fixed[v]; };

@@ -107,7 +107,8 @@ const Edge_weights& Harmonic_field::Implementation::current_weights() {
   return *weights;
 }
 
-// Gives the system's matrix the values of these weights; vertices without a face become unknowns of their own.
+// Gives the system's matrix the values of these weights; vertices without a face become unknowns of their
+// own.
 void Harmonic_field::Implementation::fill(const Edge_weights& used) {
   const Triangle_surface& s = *surface;
   if (!system) system = assemble(s, used);
@@ -135,8 +136,8 @@ Result<void> Harmonic_field::Implementation::check_components() const {
   return {};
 }
 
-// The rows and columns of constrained vertices become those of the identity. The pattern stays, so that one analysis
-// serves all constraints of a surface.
+// The rows and columns of constrained vertices become those of the identity. The pattern stays, so that one
+// analysis serves all constraints of a surface.
 void Harmonic_field::Implementation::eliminate(Symmetric_matrix& m, std::vector<double>& b) const {
   std::vector<char> fixed(m.size, 0);
   for (const auto& [v, value] : constraints) {
@@ -155,7 +156,8 @@ void Harmonic_field::Implementation::eliminate(Symmetric_matrix& m, std::vector<
   }
 }
 
-// Solves with the last factorization. Of a factor that was updated the solution is mended by that of its residual.
+// Solves with the last factorization. Of a factor that was updated the solution is mended by that of its
+// residual.
 Result<void> Harmonic_field::Implementation::solve_factorized(const Symmetric_matrix& matrix,
                                                               const std::vector<double>& b,
                                                               std::vector<double>& x, bool was_updated) {
@@ -186,9 +188,9 @@ Result<void> Harmonic_field::Implementation::solve_eliminated(std::vector<double
   return factorized ? solve_factorized(matrix, b, x) : factorized;
 }
 
-// Begins every time with a factor that surface and weights alone decide, so that the bits of the solution do not depend
-// on what was solved before, nor errors of updates add up. There a vertex of each component is held by a conductance of
-// the size of the others: unlike a penalty it can be taken off again without loss.
+// Begins every time with a factor that surface and weights alone decide, so that the bits of the solution do
+// not depend on what was solved before, nor errors of updates add up. There a vertex of each component is
+// held by a conductance of the size of the others: unlike a penalty it can be taken off again without loss.
 Result<void> Harmonic_field::Implementation::factorize_by_updates(const Symmetric_matrix& unconstrained,
                                                                   double penalty) {
   Symmetric_matrix held = unconstrained;

@@ -28,7 +28,8 @@ Result<void> check_request(const Triangle_surface& surface, const Suggestion_opt
   return {};
 }
 
-// Needles are so much longer than the radius, which is taken from the area, that they would get a source every few edges.
+// Needles are so much longer than the radius, which is taken from the area, that they would get a source
+// every few edges.
 constexpr int most_sources = 1000;
 
 // Sources that cover the graph with a radius, each as far as possible from those before it, and for every

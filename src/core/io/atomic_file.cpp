@@ -45,7 +45,8 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-/// A file that is being written, in the folder where it shall lie. Removed at the end of its scope, unless it was put in its place.
+/// A file that is being written, in the folder where it shall lie. Removed at the end of its scope, unless it
+/// was put in its place.
 class Temporary_file {
 public:
   explicit Temporary_file(std::string folder) : m_folder(std::move(folder)), m_file(-1) {}
@@ -75,8 +76,8 @@ private:
     return write_all(m_file.get(), bytes) && ::fsync(m_file.get()) == 0;
   }
 
-  // Not every file system has files without names, and a name is given through /proc, which may be missing: then the same is done
-  // again with a named file.
+  // Not every file system has files without names, and a name is given through /proc, which may be missing:
+  // then the same is done again with a named file.
   bool fill_unnamed(std::string_view bytes, const struct stat* old) {
 #ifdef O_TMPFILE
     m_file = File_descriptor(::open(m_folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666));

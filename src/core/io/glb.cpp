@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binary glTF, after the Khronos Group's "glTF 2.0 Specification": a header, a chunk of JSON and a chunk of bytes.
+// Binary glTF, after the Khronos Group's "glTF 2.0 Specification": a header, a chunk of JSON and a chunk of
+// bytes.
 #include "io/writers.h"
 
 #include <nlohmann/json.hpp>

@@ -269,7 +269,8 @@ Result<void> Cholmod_solver::factorize(const Symmetric_matrix& matrix) {
       return make_error(Error_code::solver_failure,
                         "The diagonal entry of row " + std::to_string(j) + " is not a finite number.",
                         Element_kind::none, j);
-  // A supernodal factor is overwritten in place; an updated one, or one that failed, starts from the analysis again.
+  // A supernodal factor is overwritten in place; an updated one, or one that failed, starts from the analysis
+  // again.
   if (!impl.factor || !impl.factor->is_super || impl.factor->minor < impl.factor->n) {
     cholmod_free_factor(&impl.factor, &impl.common);
     impl.factor = cholmod_copy_factor(impl.symbolic, &impl.common);

@@ -77,8 +77,8 @@ REEBQUAD_ALWAYS_INLINE void update_block(double* target, long target_stride, con
     update_tile<1>(target + i, target_stride, rows + i, pivots, stride, depth, is_zero);
 }
 
-// Copies `count` rows (a multiple of four) of `depth` columns so that groups of eight rows lie together, column after
-// column: then the products of large fronts run through memory in order.
+// Copies `count` rows (a multiple of four) of `depth` columns so that groups of eight rows lie together,
+// column after column: then the products of large fronts run through memory in order.
 REEBQUAD_ALWAYS_INLINE void pack_rows(const double* rows, long stride, int depth, int count, double* packed) {
   for (int i = 0; i < count; i += group) {
     const bool whole = i + group <= count;
@@ -111,8 +111,8 @@ REEBQUAD_ALWAYS_INLINE void update_packed_block(double* target, long target_stri
                    is_zero);
 }
 
-// A triangle of blocks -= rows * rows': `target_of(b)` gives the place and the stride of block b, whose rows begin
-// at 4 b. Deep products go in slices, which leaves the order of the operations on an entry as it is.
+// A triangle of blocks -= rows * rows': `target_of(b)` gives the place and the stride of block b, whose rows
+// begin at 4 b. Deep products go in slices, which leaves the order of the operations on an entry as it is.
 template <int Vectors, class Target_of>
 REEBQUAD_ALWAYS_INLINE void update_triangle(const double* rows, long stride, int depth, int count, int from,
                                             int to, bool is_zero, double* scratch, Target_of target_of) {

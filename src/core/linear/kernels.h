@@ -18,8 +18,8 @@ inline int scratch_size(int leading_dimension) {
 /// One set of kernels for each vector unit. All give the same bits: every entry undergoes the same operations
 /// in the same order, vectors run across independent entries, and nothing is fused.
 struct Dense_kernels {
-  /// Factorizes the panel's columns in place, reciprocals of the pivots on the diagonal. Returns the first column
-  /// whose pivot is not greater than its threshold, or -1. `scratch`: see scratch_size().
+  /// Factorizes the panel's columns in place, reciprocals of the pivots on the diagonal. Returns the first
+  /// column whose pivot is not greater than its threshold, or -1. `scratch`: see scratch_size().
   int (*factorize)(double* panel, int columns, int leading_dimension, const double* threshold,
                    double* scratch);
 

@@ -84,7 +84,8 @@ Graph renumbered(const Graph& g, const std::vector<int>& order) {
   return r;
 }
 
-// Merges pairs of neighbours, the heaviest edges and lightest partners first; `coarse_of` receives the new numbers.
+// Merges pairs of neighbours, the heaviest edges and lightest partners first; `coarse_of` receives the new
+// numbers.
 Graph coarsened(const Graph& g, std::vector<int>& coarse_of) {
   std::vector<int> members; // one or two fine vertices for each coarse one
   coarse_of.assign(g.size(), -1);
@@ -183,7 +184,8 @@ void Bisector::grow(int start, std::vector<int>& order) {
     }
 }
 
-// The first vertices of a breadth-first search, up to half of the weight, go to side 0, one component after the other.
+// The first vertices of a breadth-first search, up to half of the weight, go to side 0, one component after
+// the other.
 void Bisector::split_by_search(const std::vector<int>& vertices, int start) {
   std::int64_t total = 0, sum = 0;
   for (const int v : vertices) {
@@ -229,8 +231,8 @@ void Bisector::add_neighbours(const std::vector<int>& moved, std::size_t kept,
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 }
 
-// Moves vertices across the cut, best gain first and each at most once, beyond local minima; then takes back what came
-// after the best state. Returns whether the cut became smaller.
+// Moves vertices across the cut, best gain first and each at most once, beyond local minima; then takes back
+// what came after the best state. Returns whether the cut became smaller.
 bool Bisector::pass(std::vector<int>& candidates, std::int64_t (&weight)[2]) {
   // Moves without a new best; large regions, whose separators cost the most, are worth more.
   const std::size_t patience = std::size_t(std::min<std::int64_t>(200, 40 + (weight[0] + weight[1]) / 400));
@@ -336,8 +338,8 @@ std::vector<signed char> bisected(const Graph& g) {
   return best;
 }
 
-// A smallest set of vertices that meets every cut edge of a region: by a largest matching of the cut's bipartite graph
-// (Koenig 1931), found by augmenting paths.
+// A smallest set of vertices that meets every cut edge of a region: by a largest matching of the cut's
+// bipartite graph (Koenig 1931), found by augmenting paths.
 class Vertex_cover {
 public:
   explicit Vertex_cover(const Bisector& b)
@@ -360,7 +362,8 @@ public:
         ++m_latest;
         augment_from(v, 0);
       }
-    // Reached from the unmatched left by alternating paths: the cover is the left not reached and the right reached.
+    // Reached from the unmatched left by alternating paths: the cover is the left not reached and the right
+    // reached.
     ++m_latest;
     for (const int v : left)
       if (m_mate[v] < 0) reach(v);
@@ -467,7 +470,8 @@ private:
   };
   static constexpr int leaf_size = 800, smallest_coarse = 16;
 
-  // Bisects on the coarse graph, refines on the fine one, numbers the separator, and gives the two sides new regions.
+  // Bisects on the coarse graph, refines on the fine one, numbers the separator, and gives the two sides new
+  // regions.
   void split(const Region& region, Region (&part)[2]) {
     const std::vector<signed char> coarse_side = bisected(part_of(*m_coarse.graph, region.coarse));
     for (std::size_t i = 0; i < region.coarse.size(); ++i) m_coarse.side[region.coarse[i]] = coarse_side[i];
@@ -504,7 +508,8 @@ private:
     }
   }
 
-  // All that can be at the cut before refinement: what is in a coarse vertex at the cut, and strays with their neighbours.
+  // All that can be at the cut before refinement: what is in a coarse vertex at the cut, and strays with
+  // their neighbours.
   std::vector<int> near_cut(const Region& region, const std::vector<int>& strays) const {
     std::vector<int> near = strays;
     for (const int c : region.coarse)

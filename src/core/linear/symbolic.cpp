@@ -23,8 +23,8 @@ std::vector<int> inverse(const std::vector<int>& order) {
   return place;
 }
 
-// Entries as pairs of two different unknowns, `visit` calling an action with each, turned into lists: for each unknown, those
-// before it (`earlier`) or those after it.
+// Entries as pairs of two different unknowns, `visit` calling an action with each, turned into lists: for
+// each unknown, those before it (`earlier`) or those after it.
 template <class Visit> Lists lists_of(int size, bool earlier, Visit visit) {
   Lists lists;
   lists.begin.assign(size + 1, 0);
@@ -47,7 +47,8 @@ Lists earlier_entries(const Symmetric_matrix& m, const std::vector<int>& place) 
   });
 }
 
-// The same entries once more renumbered. Where the two orders are much alike, this runs through memory in order.
+// The same entries once more renumbered. Where the two orders are much alike, this runs through memory in
+// order.
 Lists renumbered(const Lists& lists, const std::vector<int>& place, bool earlier) {
   const int size = int(place.size());
   return lists_of(size, earlier, [&](auto action) {
@@ -141,8 +142,8 @@ double operations(double columns, double rows) {
   return m * (m + 1) * (2 * m + 1) / 6 - rows * (rows + 1) * (2 * rows + 1) / 6;
 }
 
-// Estimated nanoseconds that a front costs in one factorization and a solve or two. Halving or doubling a constant
-// changed measured times of surfaces by less than their noise; and it changes nothing but times.
+// Estimated nanoseconds that a front costs in one factorization and a solve or two. Halving or doubling a
+// constant changed measured times of surfaces by less than their noise; and it changes nothing but times.
 double estimated_time(double columns, double rows) {
   constexpr double start = 250, operation = 0.035, panel_entry = 1.0, update_entry = 0.9;
   return start + operation * operations(columns, rows) + panel_entry * columns * (columns + rows) +

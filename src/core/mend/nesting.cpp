@@ -37,9 +37,9 @@ Kernel::Point_3 kernel_point(const Point& p) {
   return Kernel::Point_3(p[0], p[1], p[2]);
 }
 
-/// Tells what lies in one closed component, by counting the triangles above a point. All decisions are exact; where
-/// the line upward meets an edge or a vertex, the point is thought to be moved a little along x, and less along y.
-/// (CGAL's Side_of_triangle_mesh does not come to an end where triangles have no area.)
+/// Tells what lies in one closed component, by counting the triangles above a point. All decisions are exact;
+/// where the line upward meets an edge or a vertex, the point is thought to be moved a little along x, and
+/// less along y. (CGAL's Side_of_triangle_mesh does not come to an end where triangles have no area.)
 class Interior {
 public:
   explicit Interior(const Triangle_surface& surface) : m_surface(surface) {
@@ -103,7 +103,8 @@ private:
     return inside ? 1 : -1;
   }
 
-  /// Whether the triangle seen from above covers the point: an odd number of its sides passes it on the right.
+  /// Whether the triangle seen from above covers the point: an odd number of its sides passes it on the
+  /// right.
   bool covers(int f, const Point& q) const {
     bool odd = false;
     for (int i = 0; i < 3; ++i) {

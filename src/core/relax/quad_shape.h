@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// The scaled Jacobian of a quad, or less if its shortest edge is shorter than a fiftieth of its longest. The scaled Jacobian alone looks at
-/// angles, and corners that nearly meet may have good ones.
+/// The scaled Jacobian of a quad, or less if its shortest edge is shorter than a fiftieth of its longest. The
+/// scaled Jacobian alone looks at angles, and corners that nearly meet may have good ones.
 inline double quad_shape(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
   constexpr double thinnest = 1.0 / 50;
   const auto [least, most] = std::minmax(

@@ -59,8 +59,9 @@ Point wanted_position(const State& state, const Regime& regime, int v) {
   return ((1 - regime.evenness) * sum + regime.evenness * around) / weights;
 }
 
-// How much of its step a vertex takes: on tips and ridges little, so that quads do not slide off the limbs of a body and
-// cut their ends away. `bend` is the height of v above its neighbours' average, in units of their distance.
+// How much of its step a vertex takes: on tips and ridges little, so that quads do not slide off the limbs of
+// a body and cut their ends away. `bend` is the height of v above its neighbours' average, in units of their
+// distance.
 double mobility(const State& state, int v, double& size) {
   Point sum = Point::Zero();
   double length = 0;
@@ -115,8 +116,8 @@ namespace {
 
 using relaxation::State;
 
-// Scaled Jacobians. Most layouts reach the first in the usual sweeps. Below the second the layout itself is too coarse or
-// too twisted: there more sweeps were seen to help little and to end in bad quads.
+// Scaled Jacobians. Most layouts reach the first in the usual sweeps. Below the second the layout itself is
+// too coarse or too twisted: there more sweeps were seen to help little and to end in bad quads.
 constexpr double good_mean = 0.92;
 constexpr double hopeful_mean = 0.87;
 constexpr int between_measures = 10;
@@ -182,8 +183,8 @@ Quality measure(const Quad_mesh& mesh) {
   return result;
 }
 
-// Steps may make a quad worse down to a quality that is good enough, and in the first half of the sweeps to a lower one; but never
-// worse than the worst quad of all was.
+// Steps may make a quad worse down to a quality that is good enough, and in the first half of the sweeps to a
+// lower one; but never worse than the worst quad of all was.
 relaxation::Sweep sweep(bool early, double worst) {
   return {std::max(early ? 0.2 : 0.5, worst), early, nullptr};
 }

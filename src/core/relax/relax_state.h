@@ -50,7 +50,8 @@ public:
   std::vector<Surface_curve> curves;
   std::vector<std::vector<int>> colours; ///< by `colour_vertices()`: vertices that may move at the same time
 
-  /// Parts vertices with a common quad, and neighbours on a curve, which bound each other. After all are bound.
+  /// Parts vertices with a common quad, and neighbours on a curve, which bound each other. After all are
+  /// bound.
   void colour_vertices();
   int number_of_vertices() const { return int(mesh.points.size()); }
   /// Unit normal of the input where the vertex is bound.
@@ -61,8 +62,8 @@ public:
   }
   /// Mean length of the edges at v.
   double size_around(int v) const;
-  /// Scaled Jacobian of quad q with vertex v moved by `step`; less, down to -0.7, if the quad faces away from the
-  /// normals of the input at its vertices.
+  /// Scaled Jacobian of quad q with vertex v moved by `step`; less, down to -0.7, if the quad faces away from
+  /// the normals of the input at its vertices.
   double quality(int q, int v, const Step& step) const;
   double quality(int q) const { return quality(q, -1, {}); }
   /// The worst quality around v as it is, or after `step`.
@@ -117,19 +118,20 @@ struct Sweep {
 int smooth(State& state, const Regime& regime, const Sweep& sweep);
 /// Optimises the vertices around quads of quality below `wanted`.
 void untangle(State& state, double wanted, int rounds, const std::vector<char>* mask, Observer* observer);
-/// Pairs i < j of quads that meet in more than their common vertices, ascending; quads are cut along their shorter
-/// diagonals. Decided by exact predicates.
+/// Pairs i < j of quads that meet in more than their common vertices, ascending; quads are cut along their
+/// shorter diagonals. Decided by exact predicates.
 std::vector<std::pair<int, int>> intersecting_quads(const Quad_mesh& mesh);
 /// Whether two quads meet in more than their common vertices.
 bool quads_meet(const Quad_mesh& mesh, int i, int j);
-/// Moves single vertices of intersecting quads so that fewer quads intersect. `offset` is how far a vertex may leave
-/// the surface along its normal, in units of the quads' size around it; 0 keeps vertices on the surface.
+/// Moves single vertices of intersecting quads so that fewer quads intersect. `offset` is how far a vertex
+/// may leave the surface along its normal, in units of the quads' size around it; 0 keeps vertices on the
+/// surface.
 void separate(State& state, double offset, int rounds, Observer* observer);
-/// Relaxes the surroundings of inverted and intersecting quads anew, in at most so many other ways, and keeps what helps. `original`
-/// is where the vertices were at first. Returns what `count_defects()` then has.
+/// Relaxes the surroundings of inverted and intersecting quads anew, in at most so many other ways, and keeps
+/// what helps. `original` is where the vertices were at first. Returns what `count_defects()` then has.
 std::vector<int> repair(State& state, const State::Snapshot& original, int attempts, Observer* observer);
-/// Raises the quality of the quads below `wanted`, as far as no quad gets more defects than it has. Returns the defects in the
-/// end. \pre `defects` are the state's, by `count_defects()`.
+/// Raises the quality of the quads below `wanted`, as far as no quad gets more defects than it has. Returns
+/// the defects in the end. \pre `defects` are the state's, by `count_defects()`.
 std::vector<int> polish(State& state, double wanted, const std::vector<int>& defects, Observer* observer);
 
 } // namespace relaxation

@@ -11,7 +11,8 @@ namespace relaxation {
 
 namespace {
 
-// One way to mend the regions: sweeps under a regime and untangling; or averaging in space; or moving single vertices apart.
+// One way to mend the regions: sweeps under a regime and untangling; or averaging in space; or moving single
+// vertices apart.
 struct Attempt {
   Regime regime;
   int sweeps = 0;
@@ -34,8 +35,8 @@ Attempt cut_off(int averagings, int rings) {
   return attempt;
 }
 
-// From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices from the
-// fine ones; memory of the original lengths keeps quads on thin limbs from sliding off.
+// From gentle and local to drastic and wide. Even spacing lets the coarse parts of a layout borrow vertices
+// from the fine ones; memory of the original lengths keeps quads on thin limbs from sliding off.
 std::array<Attempt, 17> all_attempts() {
   return {move_apart(0),
           Attempt{{0.15, 1, 0.7}, 4, 4, true},

@@ -75,9 +75,9 @@ std::int64_t dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
-// Unimodular column operations bring the matrix to an echelon form H; `point` solves H y = right on the way. Rows with few entries
-// come first, and short columns are pivots: entries stay as small as those of the matrix in practice, where rows and columns as they
-// come let them grow beyond all bounds.
+// Unimodular column operations bring the matrix to an echelon form H; `point` solves H y = right on the way.
+// Rows with few entries come first, and short columns are pivots: entries stay as small as those of the
+// matrix in practice, where rows and columns as they come let them grow beyond all bounds.
 class Echelon_form {
 public:
   explicit Echelon_form(const Step_system& s)
@@ -240,7 +240,8 @@ public:
       }
   }
 
-  // Ends where no move gains, or after many rounds: from far away, along an edge of what is allowed, gains can be tiny ones for ever.
+  // Ends where no move gains, or after many rounds: from far away, along an edge of what is allowed, gains
+  // can be tiny ones for ever.
   void descend(Vector& k) const {
     constexpr int most_rounds = 500;
     bool improved = true;
@@ -324,8 +325,8 @@ bool nonnegative(const Vector& k) {
   return std::all_of(k.begin(), k.end(), [](std::int64_t steps) { return steps >= 0; });
 }
 
-// A multiple of a rational solution of homogeneous equations is an integer one, and above the same minima. Nothing if it is too
-// large to be of use.
+// A multiple of a rational solution of homogeneous equations is an integer one, and above the same minima.
+// Nothing if it is too large to be of use.
 Vector multiple_point(const Count_problem& problem, const Step_system& s, const Rational_point& p) {
   Vector k;
   const Integer& d = p.denominator;

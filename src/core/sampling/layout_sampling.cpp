@@ -10,7 +10,8 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-// A segment that one walk passes on both sides may have any count; other edges have even ones (see sampling.h).
+// A segment that one walk passes on both sides may have any count; other edges have even ones (see
+// sampling.h).
 std::vector<char> passed_twice(const Contour_network& network, const Atlas& atlas) {
   std::vector<char> twice(network.edges.size(), 0);
   for (const std::shared_ptr<const Chart>& chart : atlas.charts)
@@ -36,8 +37,8 @@ bool between_discs(const Atlas& atlas, int edge) {
   return true;
 }
 
-// The middle segment of a rectangle that closes on itself may be much shorter than the rectangle is in that direction: its wish is
-// the mean of both.
+// The middle segment of a rectangle that closes on itself may be much shorter than the rectangle is in that
+// direction: its wish is the mean of both.
 void widen_middle_segments(const Chart& rectangle, const std::vector<char>& twice,
                            const std::vector<int>& index, Sampling_problem& problem) {
   double across = 0;

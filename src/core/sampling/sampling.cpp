@@ -349,8 +349,8 @@ private:
     return {};
   }
 
-  // Very long edges leave two rows everywhere, and counts that are few but not the fewest. There every quad gets
-  // a price, which rises until there are few enough.
+  // Very long edges leave two rows everywhere, and counts that are few but not the fewest. There every quad
+  // gets a price, which rises until there are few enough.
   Result<void> search_price(double natural) {
     double low = 1e-6, high = 1e9;
     for (int i = 0; i < 40 && !near(); ++i) {

@@ -10,7 +10,8 @@ namespace internal {
 
 namespace {
 
-// Lets every stop of the shorter of two lists meet one of the longer, so that the sum of their distances is least.
+// Lets every stop of the shorter of two lists meet one of the longer, so that the sum of their distances is
+// least.
 Meetings meet_nearest(const std::vector<Stop>& a, int a0, int a1, const std::vector<Stop>& b, int b0,
                       int b1) {
   const bool swap = a1 - a0 > b1 - b0;

@@ -18,8 +18,8 @@ struct Stop {
 /// Entries of two lists of stops that meet, in order; -1 for a stop that meets none.
 using Meetings = std::vector<std::array<int, 2>>;
 
-/// Stops of the two sides in the same place meet. Between two such places every stop of the side with fewer meets one of the
-/// other, so that the sum of their distances is least. \pre Both lists increase.
+/// Stops of the two sides in the same place meet. Between two such places every stop of the side with fewer
+/// meets one of the other, so that the sum of their distances is least. \pre Both lists increase.
 Meetings meet(const std::vector<Stop>& a, const std::vector<Stop>& b);
 
 } // namespace internal

@@ -127,7 +127,8 @@ private:
                        [&](int v) { return m_next[v] >= 0 && m_group[m_next[v]] == to; });
   }
 
-  // Two vertices may merge if no boundary edge becomes a point, no two boundary edges then run the same way, and no quad has both.
+  // Two vertices may merge if no boundary edge becomes a point, no two boundary edges then run the same way,
+  // and no quad has both.
   bool merge(int a, int b) {
     a = m_group[a];
     b = m_group[b];

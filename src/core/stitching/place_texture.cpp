@@ -15,7 +15,8 @@ using internal::strictly_increasing;
 
 namespace {
 
-// Whether the rows' levels go from 0 to 1. A single row could join two nodes by two edges, where two charts meet in both.
+// Whether the rows' levels go from 0 to 1. A single row could join two nodes by two edges, where two charts
+// meet in both.
 bool are_levels(const std::vector<double>& u) {
   return u.size() >= 3 && u.front() == 0 && u.back() == 1 && strictly_increasing(u);
 }

@@ -66,7 +66,8 @@ private:
     }
   }
 
-  // A coarse edge between two texture vertices of a chart, and the vertices between, from the first to the second.
+  // A coarse edge between two texture vertices of a chart, and the vertices between, from the first to the
+  // second.
   struct Coarse_edge {
     int chart, from, to;
     std::vector<int> between;

@@ -116,8 +116,9 @@ void Hanging_mesh::set_hanging(int a, int b, std::vector<int> vertices) {
   m_hanging[{a, b}] = std::move(vertices);
 }
 
-// The T-junction where a line begins or ends: the one next to where it turns, and in any case one with an even number on either
-// side. The rest stays on the two parts of the edge. On the boundary, or on a part of a hanging edge: a new vertex.
+// The T-junction where a line begins or ends: the one next to where it turns, and in any case one with an
+// even number on either side. The rest stays on the two parts of the edge. On the boundary, or on a part of a
+// hanging edge: a new vertex.
 int Hanging_mesh::end_of_line(const Crossing& c, bool start) {
   const int corner = start ? c.in : c.out, other = start ? c.out : c.in;
   const int a = m_quads[c.quad][corner], b = m_quads[c.quad][(corner + 1) % 4];
@@ -335,8 +336,8 @@ private:
     }
   }
 
-  // A line that ends between two T-junctions of the coarser side gives it one more: that makes two of one, or an odd number that
-  // needs a line of its own.
+  // A line that ends between two T-junctions of the coarser side gives it one more: that makes two of one, or
+  // an odd number that needs a line of its own.
   double cost_of_part(const Hanging_mesh::Edge& whole) const {
     return (m_mesh.hanging().at(whole).size() % 2 == 1 ? 4 : 8) * m_options.turn_cost;
   }

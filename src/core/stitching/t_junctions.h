@@ -45,7 +45,8 @@ public:
     int quad, in, out;
   };
 
-  /// Draws a line along a path from a hanging edge to another, to the boundary, or to a part of one, which gets a T-junction.
+  /// Draws a line along a path from a hanging edge to another, to the boundary, or to a part of one, which
+  /// gets a T-junction.
   void draw_line(const std::vector<Crossing>& path);
   /// Joins the T-junctions of a hanging edge with an even number of them, the outermost first.
   void draw_templates(const Edge& edge);

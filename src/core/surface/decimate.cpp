@@ -73,8 +73,8 @@ Edge_nodes subdivide_long_edges(const Triangle_surface& s, double spacing, Metri
   return nodes;
 }
 
-// Patches, and nodes inside edges that are longer than two radii. Needles have much length for their area, and would get a node for
-// every vertex and eight for every edge: then the radius grows.
+// Patches, and nodes inside edges that are longer than two radii. Needles have much length for their area,
+// and would get a node for every vertex and eight for every edge: then the radius grows.
 Edge_nodes sample(const Triangle_surface& s, double radius, int nodes, Metric_graph& graph) {
   const int most = 10 * nodes;
   for (;; radius *= 2) {

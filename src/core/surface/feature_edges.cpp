@@ -65,7 +65,8 @@ std::vector<char> sharp_halfedges(const Triangle_surface& s, double dihedral_ang
   return feature;
 }
 
-// Chains of features between corners: the vertices that are marked in `corner`, and those that the features make.
+// Chains of features between corners: the vertices that are marked in `corner`, and those that the features
+// make.
 Feature_edges traced(const Triangle_surface& s, std::vector<char> feature, std::vector<char> corner,
                      double corner_angle);
 

@@ -11,7 +11,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// The projector of a surface, made when it is first asked for: its tree takes longer to build than most edits, and many sessions need none.
+/// The projector of a surface, made when it is first asked for: its tree takes longer to build than most
+/// edits, and many sessions need none.
 class Lazy_projector {
 public:
   /// Keeps a reference.

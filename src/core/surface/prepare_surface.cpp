@@ -21,8 +21,8 @@ using internal::Surface_editor;
 
 const double pi = 3.14159265358979323846;
 
-// The squared cotangent of a triangle's smallest angle, infinite if it has no area. It grows as the triangle gets
-// worse, and, unlike a cosine, tells needles apart.
+// The squared cotangent of a triangle's smallest angle, infinite if it has no area. It grows as the triangle
+// gets worse, and, unlike a cosine, tells needles apart.
 double badness(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - b, w = a - c;
   const double area = u.cross(v).squaredNorm();
@@ -215,8 +215,9 @@ bool Preparation::is_flip_good(int h) const {
   return close((a - c).cross(d - c), sum) && close((b - d).cross(c - d), sum) && m_editor.can_flip(h);
 }
 
-// Flips edges of the given faces, and then of those that flips changed. Each flip makes the sorted list of all
-// smallest angles larger, so this ends; the limit is for rounding. Faces that changed are appended to `changed`.
+// Flips edges of the given faces, and then of those that flips changed. Each flip makes the sorted list of
+// all smallest angles larger, so this ends; the limit is for rounding. Faces that changed are appended to
+// `changed`.
 bool Preparation::flip_edges(const std::vector<int>& faces, std::vector<int>* changed) {
   if (m_diagonal == 0) m_diagonal = diagonal(m_surface);
   m_queued.resize(m_surface.number_of_faces(), 0);
@@ -251,8 +252,8 @@ bool Preparation::flip_edges(const std::vector<int>& faces, std::vector<int>* ch
   return alive;
 }
 
-// Bisects the longest edge of all, again and again: it is then the longest of its two triangles. Flips follow at
-// once, or else the needles of a fan would all be bisected side by side.
+// Bisects the longest edge of all, again and again: it is then the longest of its two triangles. Flips follow
+// at once, or else the needles of a fan would all be bisected side by side.
 bool Preparation::bisect_long_edges() {
   const double longest = m_options.max_edge * m_options.max_edge;
   std::priority_queue<Long_edge> queue;
@@ -292,7 +293,8 @@ bool Preparation::split_chords() {
   for (int h = 0; h < halfedges && closed; ++h)
     closed = m_surface.opposite[h] >= 0 || m_editor.is_dead(h / 3);
   if (closed) return true;
-  // Splitting moves old edges to new faces and adds no chord: a pass over old and new halfedges finds every one.
+  // Splitting moves old edges to new faces and adds no chord: a pass over old and new halfedges finds every
+  // one.
   for (int h = 0; h < m_surface.number_of_halfedges(); ++h) {
     if (!go_on()) return false;
     if (m_editor.is_dead(h / 3) || m_surface.opposite[h] < 0) continue;

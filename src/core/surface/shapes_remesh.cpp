@@ -36,8 +36,8 @@ Triangle_surface remesh(const Draft& draft, double edge_length, const Projection
   for (const Triangle& t : draft.surface.triangles) mesh.add_face(Index(t[0]), Index(t[1]), Index(t[2]));
   auto crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
   for (const auto& [a, b] : draft.creases) crease[mesh.edge(mesh.halfedge(Index(a), Index(b)))] = true;
-  // With a projection of our own, CGAL finds the patches between creases by itself only where its preconditions are
-  // compiled in; given explicitly, every build remeshes alike.
+  // With a projection of our own, CGAL finds the patches between creases by itself only where its
+  // preconditions are compiled in; given explicitly, every build remeshes alike.
   auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch", 0).first;
   namespace Pmp = CGAL::Polygon_mesh_processing;
   Pmp::connected_components(mesh, patch, CGAL::parameters::edge_is_constrained_map(crease));

@@ -23,17 +23,17 @@ struct Sharp_patch {
   std::vector<Sharp_loop> loops; ///< ordered by their smallest halfedges
 };
 
-/// The patches between the edges whose faces meet at more than `angle` degrees, ordered by their smallest faces.
-/// Sharp edges with one patch on both sides bound none. O(F).
+/// The patches between the edges whose faces meet at more than `angle` degrees, ordered by their smallest
+/// faces. Sharp edges with one patch on both sides bound none. O(F).
 std::vector<Sharp_patch> sharp_patches(const Triangle_surface& surface, double angle);
 
-/// The vertices of a simple loop where it turns, seen along the patch, by more than `turn` degrees, as positions in
-/// the loop: only where the patch has less than a half turn inside if they are `inward`.
+/// The vertices of a simple loop where it turns, seen along the patch, by more than `turn` degrees, as
+/// positions in the loop: only where the patch has less than a half turn inside if they are `inward`.
 std::vector<int> turns_of(const Triangle_surface& surface, const Sharp_loop& loop, double turn, bool inward);
 
-/// Four positions in a loop that divide it like the corners of a rectangle: where it turns inward, the four with the
-/// largest area between them; where it turns so less often, also the middles of its longest parts. None if it turns
-/// nowhere.
+/// Four positions in a loop that divide it like the corners of a rectangle: where it turns inward, the four
+/// with the largest area between them; where it turns so less often, also the middles of its longest parts.
+/// None if it turns nowhere.
 std::vector<int> rectangle_in(const Triangle_surface& surface, const Sharp_loop& loop);
 
 } // namespace Reeb_quadrangulation

@@ -217,8 +217,9 @@ struct Surface_projector::Implementation {
     reach = 1e9 * (high - low).maxCoeff();
   }
 
-  // Seen from very far away all of the surface lies in one direction: a point nearer in that direction has the same answer up to
-  // rounding, and products of its distances do not overflow. What is no point at all lies in the middle.
+  // Seen from very far away all of the surface lies in one direction: a point nearer in that direction has
+  // the same answer up to rounding, and products of its distances do not overflow. What is no point at all
+  // lies in the middle.
   Point pulled_in(const Point& query) const {
     const Point away = 0.5 * query - 0.5 * centre; // halves: a difference of two doubles may be infinite
     const double far = away.cwiseAbs().maxCoeff();
@@ -255,7 +256,8 @@ struct Surface_projector::Implementation {
       tree.traversal(search.query, search);
     else
       tree.traversal_with_priority(search.query, search);
-    // On a surface whose own squares overflow no distance is less than infinite: any face is as good as another.
+    // On a surface whose own squares overflow no distance is less than infinite: any face is as good as
+    // another.
     if (search.best.face < 0 && !normal) search.best = {surface.points[surface.triangles[0][0]], 0, 0};
     return answer(search, query);
   }

@@ -53,7 +53,8 @@ double interpolate(const Placed_texture& placed, int w, double entry, int sample
   return entry == i ? a : a + (entry - i) * (b - a);
 }
 
-// A contour edge needs a vertex between its nodes, or two if it is a loop: else two edges would join the same vertices.
+// A contour edge needs a vertex between its nodes, or two if it is a loop: else two edges would join the same
+// vertices.
 Result<void> check_contour_edges(const Placed_texture& placed, const Chart& chart,
                                  const Contour_samples& samples) {
   for (std::size_t w = 0; w < chart.walks.size(); ++w) {
@@ -264,7 +265,8 @@ private:
     }
   }
 
-  // Where charts do not meet edge by edge a polychord can come back at ever other places, and each time the textures have more quads.
+  // Where charts do not meet edge by edge a polychord can come back at ever other places, and each time the
+  // textures have more quads.
   Result<void> count_pass(int chart, int crossed) {
     m_quads += m_textures[chart]->texture.quads.size() + std::size_t(m_added[chart]);
     m_added[chart] += crossed;

@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Reeb_quadrangulation {
 namespace internal {
 
-/// From directed edges to halfedges, by open addressing. It is only asked for single edges, never walked through, so its order does not
-/// matter.
+/// From directed edges to halfedges, by open addressing. It is only asked for single edges, never walked
+/// through, so its order does not matter.
 class Edge_table {
 public:
   explicit Edge_table(std::size_t edges) {

@@ -64,7 +64,8 @@ Vector from_to(const Texture_draft& draft, int a, int b) {
 
 // From the middle of a border edge towards the middle of its quad, by the fraction `at` of the way.
 Vector edge_offset(const Texture_draft& draft, int h, double at) {
-  // Four times the way from the edge's source, to the edge's middle (taken away) and to the middle of the quad's corners.
+  // Four times the way from the edge's source, to the edge's middle (taken away) and to the middle of the
+  // quad's corners.
   const Vector along = from_to(draft, draft.source(h), draft.target(h));
   Vector sum{-2 * along.v, -2 * along.u};
   for (int k = next(h); k != h; k = next(k)) {
@@ -83,7 +84,8 @@ Plane_point inset_corner(const Texture_draft& draft, int incoming, int outgoing,
                o1 = edge_offset(draft, incoming, at), o2 = edge_offset(draft, outgoing, at);
   Vector d{(o1.v + o2.v) / 2, (o1.u + o2.u) / 2};
   const double size = (std::abs(e1.v) + std::abs(e1.u)) * (std::abs(e2.v) + std::abs(e2.u));
-  // Nearly parallel edges meet anywhere: their mean offset will do, and so it does where they would meet far away.
+  // Nearly parallel edges meet anywhere: their mean offset will do, and so it does where they would meet far
+  // away.
   if (std::abs(cross(e1, e2)) > 1e-3 * size) {
     const double s = cross({o2.v - o1.v, o2.u - o1.u}, e2) / cross(e1, e2);
     if (std::abs(s) <= 1) d = {o1.v + s * e1.v, o1.u + s * e1.u};

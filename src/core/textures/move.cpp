@@ -68,8 +68,8 @@ public:
     return good;
   }
 
-  // From a vertex to where the sum of the squares of its edges and of the twists of its quads (a - b + c - d) is least: even
-  // spacing, and opposite edges parallel.
+  // From a vertex to where the sum of the squares of its edges and of the twists of its quads (a - b + c - d)
+  // is least: even spacing, and opposite edges parallel.
   Displacement relaxing(int v) const {
     const Plane_point p = m_draft.point(v);
     Displacement sum;
@@ -165,7 +165,8 @@ Result<std::vector<double>> brush_weights(const Texture_draft& draft, const Move
   return weights;
 }
 
-// A vertex may be in the way of another that goes the same way: the rest is tried again as long as something moves.
+// A vertex may be in the way of another that goes the same way: the rest is tried again as long as something
+// moves.
 void displace(Mover& mover, const std::vector<double>& weights, const Displacement& d) {
   std::vector<double> left = weights;
   for (int round = 0; round < 8; ++round) {

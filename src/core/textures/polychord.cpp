@@ -10,7 +10,8 @@ namespace internal {
 
 namespace {
 
-// A cross edge, directed as the edge that the polychord was asked for; a halfedge of it, in that direction or not.
+// A cross edge, directed as the edge that the polychord was asked for; a halfedge of it, in that direction or
+// not.
 struct Cross_edge {
   int from, to;
   int halfedge;
@@ -54,7 +55,8 @@ Result<Polychord> trace(const Texture_draft& draft, const Texture_place& place) 
   return trace(draft, halfedge(*edge));
 }
 
-// Replaces a quad whose edges have new vertices (-1: none): by two where a strip crosses it, by four where two do.
+// Replaces a quad whose edges have new vertices (-1: none): by two where a strip crosses it, by four where
+// two do.
 void split_quad(Texture_draft& draft, int f, const std::array<int, 4>& middle) {
   if (middle[0] >= 0 && middle[1] >= 0) return split_in_four(draft, f, middle);
   const Quad& q = draft.before().quads[f];

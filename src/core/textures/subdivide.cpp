@@ -49,8 +49,8 @@ namespace {
 
 enum Vertex_class : char { unknown, corner, middle, centre };
 
-// The classes that the vertices of a subdivided texture have if the source of `seed` is a corner; empty if that contradicts itself.
-// `first` gets, per quad, the halfedge that leaves its corner.
+// The classes that the vertices of a subdivided texture have if the source of `seed` is a corner; empty if
+// that contradicts itself. `first` gets, per quad, the halfedge that leaves its corner.
 std::vector<Vertex_class> classify(const Texture_draft& draft, int seed, std::vector<int>& first) {
   std::vector<Vertex_class> of(draft.before().v.size(), unknown);
   first.assign(draft.before().quads.size(), -1);

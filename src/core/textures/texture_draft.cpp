@@ -58,7 +58,8 @@ Result<void> Texture_draft::find_sides() {
   return {};
 }
 
-// Which side vertices must stay: the caller's, entry 0 of an annulus' sides, the corners of a disc's rectangle.
+// Which side vertices must stay: the caller's, entry 0 of an annulus' sides, the corners of a disc's
+// rectangle.
 void Texture_draft::keep_limits() {
   for (std::size_t w = 0; w < m_sides.size() && w < m_limits.kept.size(); ++w)
     for (int i : m_limits.kept[w])
@@ -148,7 +149,8 @@ void Texture_draft::remove_folded_quads() {
       Quad q = m_after.quads[f];
       for (int& v : q) v = merged(v);
       for (int i = 0; i < 2; ++i) {
-        // A fold at q[i] and q[i + 2], which are the same vertex, around one of the other two that no other quad has.
+        // A fold at q[i] and q[i + 2], which are the same vertex, around one of the other two that no other
+        // quad has.
         const bool fold = q[i] == q[i + 2] && ((uses[q[1 - i]] == 1 && is_inside(q[1 - i])) ||
                                                (uses[q[3 - i]] == 1 && is_inside(q[3 - i])));
         if (!fold || m_removed[f]) continue;
@@ -159,7 +161,8 @@ void Texture_draft::remove_folded_quads() {
   }
 }
 
-// Carries out what was noted; `changed` tells for each quad that is left whether it is new or has a vertex that moved.
+// Carries out what was noted; `changed` tells for each quad that is left whether it is new or has a vertex
+// that moved.
 void Texture_draft::compress(std::vector<char>& changed) {
   std::vector<int> number(m_name.size(), -1);
   std::vector<Quad> quads;
@@ -202,7 +205,8 @@ void Texture_draft::compress(std::vector<char>& changed) {
   }
 }
 
-// The result is a quad mesh, bounded by its sides, whose changed quads are valid in the plane: see `check_texture_plane()`.
+// The result is a quad mesh, bounded by its sides, whose changed quads are valid in the plane: see
+// `check_texture_plane()`.
 Result<void> Texture_draft::check(const std::vector<char>& changed) const {
   const Quad_texture& t = m_after;
   std::vector<int> opposite;

@@ -20,8 +20,8 @@ inline Error refused(std::string message, Element_kind kind = Element_kind::none
   return make_error(Error_code::refused_edit, std::move(message), kind, index);
 }
 
-/// A texture with its connectivity, while an operator changes it. The operator reads the texture as it was, and notes what it
-/// removes, adds, merges and moves; `finish()` carries that out and checks the result.
+/// A texture with its connectivity, while an operator changes it. The operator reads the texture as it was,
+/// and notes what it removes, adds, merges and moves; `finish()` carries that out and checks the result.
 class Texture_draft {
 public:
   Texture_draft(const Quad_texture& texture, const Texture_limits& limits,
@@ -42,7 +42,8 @@ public:
   bool is_inside(int vertex) const { return m_side[vertex] < 0; }
   /// Whether a side vertex must stay.
   bool is_kept(int vertex) const { return m_kept[vertex]; }
-  /// The halfedges that leave the source of h, counterclockwise; at a side vertex from the one along the side.
+  /// The halfedges that leave the source of h, counterclockwise; at a side vertex from the one along the
+  /// side.
   std::vector<int> fan(int h) const;
 
   int add_vertex(const Plane_point& p);

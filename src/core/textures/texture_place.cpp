@@ -73,8 +73,8 @@ int reflex_corner(const Plane_quad& q) {
   return -1;
 }
 
-// The triangle with the point that the diagonal from a reflex corner cuts off: its corners, counterclockwise from the one whose two edges
-// are the quad's.
+// The triangle with the point that the diagonal from a reflex corner cuts off: its corners, counterclockwise
+// from the one whose two edges are the quad's.
 std::array<int, 3> half_of(const Hit& h, int reflex) {
   const int across = (reflex + 2) % 4;
   return internal::orientation(h.quad[reflex], h.quad[across], h.point) > 0
@@ -122,8 +122,8 @@ Result<Quad_corner> find(const Quad_texture& texture, const Texture_place& place
   return Quad_corner{found->corner.quad, nearest ? nearest(*found) : 0};
 }
 
-// A point in the quad, on the way from `target` to the quad's inside, that `nearest` takes for the corner. Points near the quad's
-// corners and edges are tried with the middle of a triangle of the quad as the inside.
+// A point in the quad, on the way from `target` to the quad's inside, that `nearest` takes for the corner.
+// Points near the quad's corners and edges are tried with the middle of a triangle of the quad as the inside.
 Texture_place point_place(const Quad_texture& texture, const Quad_corner& c, double along,
                           int (*nearest)(const Hit&)) {
   const Texture_plane plane = plane_of(texture);

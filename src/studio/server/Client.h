@@ -11,17 +11,19 @@
 namespace reebquad {
 namespace studio {
 
-/// A message to a page. Of messages with the same key only the newest is worth sending; an empty key is always worth it.
+/// A message to a page. Of messages with the same key only the newest is worth sending; an empty key is
+/// always worth it.
 struct Message {
   std::string key;
   std::shared_ptr<const std::string> bytes;
   bool is_binary = false;
-  /// Where `bytes` only say what changed since the message before with the same key: what to send if that was not sent.
+  /// Where `bytes` only say what changed since the message before with the same key: what to send if that was
+  /// not sent.
   std::shared_ptr<const std::string> whole = nullptr;
 };
 
-/// The messages that a page has not taken yet. A page that is slow gets fewer of those that replace each other, and one that
-/// takes nothing at all is given up.
+/// The messages that a page has not taken yet. A page that is slow gets fewer of those that replace each
+/// other, and one that takes nothing at all is given up.
 class Outbox {
 public:
   /// False if too many messages wait: the page is to be given up.

@@ -13,8 +13,8 @@
 namespace reebquad {
 namespace studio {
 
-/// Joins the pages that are connected to the one session: takes their requests, has the worker carry them out, and tells all
-/// pages what became of it. All functions are called on the sockets' thread.
+/// Joins the pages that are connected to the one session: takes their requests, has the worker carry them
+/// out, and tells all pages what became of it. All functions are called on the sockets' thread.
 class Hub {
 public:
   /// Runs a function on the sockets' thread, from any thread.

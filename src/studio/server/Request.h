@@ -47,8 +47,9 @@ struct Request {
 /// The longest text message that is read, in bytes.
 constexpr std::size_t longest_request = std::size_t(1) << 20;
 
-/// Parses a message. Fails with `malformed_file` and a sentence where it is not what the protocol describes: no JSON object,
-/// nested too deeply, no id, an unknown command, a member of the wrong type, a number that is not finite.
+/// Parses a message. Fails with `malformed_file` and a sentence where it is not what the protocol describes:
+/// no JSON object, nested too deeply, no id, an unknown command, a member of the wrong type, a number that is
+/// not finite.
 CGAL::Reeb_quadrangulation::Result<Request> parse_request(std::string_view text);
 
 /// The id of a message that could not be parsed as a request, if it can be found; else -1.

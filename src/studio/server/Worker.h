@@ -23,7 +23,8 @@ public:
   /// What it throws is given to `failed`; the worker goes on.
   using Job = std::function<void(Observer&)>;
   using Failed = std::function<void(const std::string& what)>;
-  /// Called from the worker's thread, at most about 20 times a second; an empty stage means that there is no job.
+  /// Called from the worker's thread, at most about 20 times a second; an empty stage means that there is no
+  /// job.
   using Progress = std::function<void(const std::string& stage, double fraction)>;
 
   explicit Worker(Progress progress);
@@ -32,8 +33,9 @@ public:
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// A job that is `replaceable` is cancelled when the next job comes that `replaces`; but of those with the same `drag`, if that is
-  /// not 0, each is carried out, so that all of them can be seen. False if too many jobs wait.
+  /// A job that is `replaceable` is cancelled when the next job comes that `replaces`; but of those with the
+  /// same `drag`, if that is not 0, each is carried out, so that all of them can be seen. False if too many
+  /// jobs wait.
   bool push(Job job, Failed failed, bool replaceable = false, bool replaces = true, std::int64_t drag = 0);
   /// Asks the running job and all that wait to stop; they still run, and see that they are cancelled.
   void cancel();

@@ -7,7 +7,8 @@
 namespace reebquad {
 namespace studio {
 
-/// An edit in the words of the page's tools and lists: "add contour", "set number: 3000 quads", "insert strip".
+/// An edit in the words of the page's tools and lists: "add contour", "set number: 3000 quads", "insert
+/// strip".
 std::string edit_text(const Json& edit);
 
 } // namespace studio

@@ -27,9 +27,9 @@ public:
   explicit Folder(const std::filesystem::path& path);
   const std::filesystem::path& path() const { return m_path; }
 
-  /// The path of a file that the page names. Refused are empty and long names, absolute ones, parts that are "..", "." or
-  /// begin with a dot, control characters and backslashes; and, after symbolic links are followed, everything outside.
-  /// The file need not exist, its folder must. Fails with `unreadable_file`.
+  /// The path of a file that the page names. Refused are empty and long names, absolute ones, parts that are
+  /// "..", "." or begin with a dot, control characters and backslashes; and, after symbolic links are
+  /// followed, everything outside. The file need not exist, its folder must. Fails with `unreadable_file`.
   Result<std::string> resolve(const std::string& name) const;
 
   /// The mesh files in the folder and below, at most `limit` and three levels deep, by name.

@@ -140,9 +140,9 @@ Json Part::history() const {
   return list;
 }
 
-// Sum of 4 - valence over interior, of 3 - valence over boundary vertices, is 4 (V - E + F): so the surface says how many
-// extraordinary vertices there must be, and the statistics how many there are. Two triangles of a fan count as a quad: the sum
-// is the same.
+// Sum of 4 - valence over interior, of 3 - valence over boundary vertices, is 4 (V - E + F): so the surface
+// says how many extraordinary vertices there must be, and the statistics how many there are. Two triangles of
+// a fan count as a quad: the sum is the same.
 Json Part::budget() const {
   Json interior = Json::object(), boundary = Json::object();
   if (m_statistics) {

@@ -21,15 +21,16 @@ public:
 
   /// Prepares the surface for designs, where that was not done yet.
   Result<void> begin(Observer* observer);
-  /// Does the edits of a recipe, with its options, in place of what was done so far; if one fails, that stays.
+  /// Does the edits of a recipe, with its options, in place of what was done so far; if one fails, that
+  /// stays.
   Result<void> follow(const CGAL::Reeb_quadrangulation::Recipe& recipe, Observer& observer);
   /// The recipe that was followed last, without its edits; null if it has what every design has.
   const Json& base() const { return m_base; }
   Workpiece* work() const { return m_work.get(); }
   bool has_quads() const { return m_work && m_work->quads(); }
 
-  /// To be called when the design has changed. It takes time linear in the quads only; the certificate, which also reads the surface,
-  /// comes when the quads are finished.
+  /// To be called when the design has changed. It takes time linear in the quads only; the certificate, which
+  /// also reads the surface, comes when the quads are finished.
   void measure();
   /// Notes how long the last edit took.
   void took(double milliseconds);

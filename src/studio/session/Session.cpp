@@ -252,7 +252,8 @@ Result<Json> Session::edit(const Json& edit, Observer& observer, std::int64_t dr
     if (Result<void> undone = work()->undo(); !undone) return undone.error();
   Result<Json> done = work()->apply(edit, &observer, live);
   if (!done) {
-    // While dragging the edit before is back, unless this one was stopped when it had taken its place already.
+    // While dragging the edit before is back, unless this one was stopped when it had taken its place
+    // already.
     if (replaces && live && !work()->redo()) changed(watch.milliseconds(), "stopped dragging");
     if (replaces && !live) {
       work()->forget_undone();

@@ -25,7 +25,8 @@ Result<Edit> parse_edit(const Json& edit) {
   return edit_from_json(edit.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-/// The contours of a design that another one does not have, each as x, y, z of its points relative to `origin`.
+/// The contours of a design that another one does not have, each as x, y, z of its points relative to
+/// `origin`.
 Json new_contours(const Triangle_surface& surface, const Contour_network& before,
                   const Contour_network& after, const Point& origin) {
   Json contours = Json::array();

@@ -19,16 +19,19 @@ public:
   using Observer = CGAL::Reeb_quadrangulation::Observer;
   template <class T> using Result = CGAL::Reeb_quadrangulation::Result<T>;
 
-  /// Nothing is designed yet; of `base` the options and the finish are used. Layers have their points relative to `origin`. \pre `surface` is connected by `connect()`
+  /// Nothing is designed yet; of `base` the options and the finish are used. Layers have their points
+  /// relative to `origin`. \pre `surface` is connected by `connect()`
   static Result<std::unique_ptr<Workpiece>> create(CGAL::Reeb_quadrangulation::Triangle_surface surface,
                                                    const CGAL::Reeb_quadrangulation::Point& origin,
                                                    Observer* observer,
                                                    const CGAL::Reeb_quadrangulation::Recipe& base = {});
 
   /// \name Edits
-  /// One that fails leaves everything as it was. Afterwards the quads are as they are stitched, until `finish()`.
+  /// One that fails leaves everything as it was. Afterwards the quads are as they are stitched, until
+  /// `finish()`.
   /// @{
-  /// Returns what changed. If it is asked to stop too late, it is taken back, unless it is `live`: another takes its place anyway.
+  /// Returns what changed. If it is asked to stop too late, it is taken back, unless it is `live`: another
+  /// takes its place anyway.
   Result<Json> apply(const Json& edit, Observer* observer, bool live = false);
   /// Whether the edit would be done, and how many charts there would be.
   Result<Json> preview(const Json& edit, Observer* observer) const;

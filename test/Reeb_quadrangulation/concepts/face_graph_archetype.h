@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A face graph that has what a model of CGAL's MutableFaceGraph and FaceListGraph has to have, and no points of its own.
+// A face graph that has what a model of CGAL's MutableFaceGraph and FaceListGraph has to have, and no points
+// of its own.
 #ifndef REEBQUAD_TEST_FACE_GRAPH_ARCHETYPE_H
 #define REEBQUAD_TEST_FACE_GRAPH_ARCHETYPE_H
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model of QuadTextureTraits that has what the concept lists and nothing else: regular grids with twice the rows.
+// A model of QuadTextureTraits that has what the concept lists and nothing else: regular grids with twice the
+// rows.
 #ifndef REEBQUAD_TEST_TEXTURE_TRAITS_ARCHETYPE_H
 #define REEBQUAD_TEST_TEXTURE_TRAITS_ARCHETYPE_H
 

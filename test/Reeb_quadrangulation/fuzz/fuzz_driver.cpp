@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plain driver for a fuzz target, where the compiler brings none: changes good files at random for some seconds.
+// A plain driver for a fuzz target, where the compiler brings none: changes good files at random for some
+// seconds.
 //   fuzz_TARGET [SECONDS [SEED [FOLDER]]]
 //   fuzz_TARGET --file FILE      to run one file, as one that was left behind
 // The good files are those of FOLDER; without one, or where it is empty, meshes of each format. Instead of

@@ -10,8 +10,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// Hints as a JSON array: [{"kind": "uncovered_limb", "reason": "...", "place": [x, y, z], "before": 5.3, "after": 0.4,
-/// "edit": {"edit": "add_extremum", ...}}], the edits as recipes have them.
+/// Hints as a JSON array: [{"kind": "uncovered_limb", "reason": "...", "place": [x, y, z], "before": 5.3,
+/// "after": 0.4, "edit": {"edit": "add_extremum", ...}}], the edits as recipes have them.
 std::string to_json(const std::vector<Hint>& hints);
 
 } // namespace Reeb_quadrangulation

@@ -7,7 +7,8 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-/// The file formats that are read (OFF, OBJ, PLY, STL) and written (those, VTK, binary glTF, Abaqus and Gmsh).
+/// The file formats that are read (OFF, OBJ, PLY, STL) and written (those, VTK, binary glTF, Abaqus and
+/// Gmsh).
 enum class Mesh_format {
   automatic, ///< when reading: by the content, then by the name; when writing: by the name
   off,

@@ -33,10 +33,11 @@ constexpr std::uint64_t largest_mesh_file = std::uint64_t(4) << 30;
 /// not exist in an OBJ, a missing `endsolid`, a binary STL that announces no triangles but has some,
 /// materials and animations of glTF.
 ///
-/// `attributes`, unless it is null, gets what the file tells beside the surface: of OBJ texture coordinates, colours, objects, groups and
-/// materials; of PLY colours (`red green blue`), texture coordinates (`texcoord` of faces; `s t`, `u v` or `texture_u texture_v` of
-/// vertices) and the numbers `object`, `group`, `material` and `chart` of faces. What else is there, and what other formats have, is
-/// named in `Mesh_attributes::others`.
+/// `attributes`, unless it is null, gets what the file tells beside the surface: of OBJ texture coordinates,
+/// colours, objects, groups and materials; of PLY colours (`red green blue`), texture coordinates (`texcoord`
+/// of faces; `s t`, `u v` or `texture_u texture_v` of vertices) and the numbers `object`, `group`, `material`
+/// and `chart` of faces. What else is there, and what other formats have, is named in
+/// `Mesh_attributes::others`.
 ///
 /// The readers are made for files from strangers: every announced count is compared with the bytes that are
 /// left before memory is taken, and every index with the number of points. Memory is at most about ten times

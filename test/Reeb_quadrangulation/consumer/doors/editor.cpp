@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An editing session on the consumer's mesh: two extrema at its vertices, then undo; the quads come back as a mesh.
+// An editing session on the consumer's mesh: two extrema at its vertices, then undo; the quads come back as a
+// mesh.
 #include "torus.h"
 
 #include <CGAL/Reeb_quadrangulation/create_editor.h>
