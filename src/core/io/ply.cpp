@@ -434,8 +434,7 @@ private:
         kept[k] = texcoord;
       } else if (e.name == "face" && is_names && is_new && is_integer && !p.is_list) {
         kept[k] = int(m_kept->labels.size());
-        m_kept->labels.push_back(
-            {std::string(p.name), {}, std::vector<int>(m_soup.begin.size() - 1, -1)});
+        m_kept->labels.push_back({std::string(p.name), {}, std::vector<int>(m_soup.begin.size() - 1, -1)});
       } else {
         note_other(m_kept, "the property " + printable(p.name) + " of faces");
       }
