@@ -15,7 +15,8 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-constexpr int panel_width = 330, panel_height = 290;
+constexpr int panel_height = 290;
+constexpr int wide = 320, narrow = 230;
 
 template <class T> T value(Result<T> result) {
   if (result) return std::move(*result);
@@ -25,16 +26,14 @@ template <class T> T value(Result<T> result) {
 
 /// Bytes with fewer different colours, which take a third of the room and look the same.
 void simplify(Image& image) {
-  constexpr int step = 6;
+  constexpr int step = 9;
   for (std::size_t i = 0; i < image.rgba.size(); ++i)
-    if (i % 4 != 3)
-      image.rgba[i] = static_cast<unsigned char>(std::min(255, (image.rgba[i] + step / 2) / step * step));
+    if (i % 4 != 3 && image.rgba[i] < 255)
+      image.rgba[i] = static_cast<unsigned char>(image.rgba[i] / step * step);
 }
 
-Image drawn(const Scene& scene, View view = View::three_quarter) {
-  Camera eye = camera(view, Up_axis::z);
-  eye.zoom = 1.08;
-  return render(scene, eye, panel_width, panel_height);
+Image drawn(const Scene& scene, int width = wide) {
+  return render(scene, camera(View::three_quarter, Up_axis::z), width, panel_height);
 }
 
 void write(const std::string& file, const std::vector<Image>& panels) {
@@ -94,6 +93,10 @@ Quadrangulation quads_of(const Triangle_surface& surface, int quads, bool adapti
   return value(quadrangulate(surface, options));
 }
 
+Recipe recipe_in(const std::string& file) {
+  return value(recipe_from_json(value(read_file(file, std::uint64_t(1) << 24))));
+}
+
 /// The surface edited by all edits of a recipe but the last `without` ones.
 Editor edited(const Triangle_surface& surface, const Recipe& recipe, std::size_t without) {
   Editor editor = value(Editor::create(surface, recipe.options));
@@ -114,11 +117,10 @@ int main(int argc, char** argv) {
 
   const Triangle_surface hand = value(make_shape("hand", 5000));
   const Quadrangulation quads = quads_of(hand, 1400);
-  write(folder + "pipeline.png",
-        {drawn(input_scene(hand)), drawn(atlas_scene(quads.editor)), drawn(quads_scene(quads.mesh))});
+  write(folder + "pipeline.png", {drawn(input_scene(hand), narrow), drawn(atlas_scene(quads.editor), narrow),
+                                  drawn(quads_scene(quads.mesh), narrow)});
 
-  const Recipe recipe =
-      value(recipe_from_json(value(read_file(recipes + "quarter_saddle.json", std::uint64_t(1) << 24))));
+  const Recipe recipe = recipe_in(recipes + "quarter_saddle.json");
   const Triangle_surface torus = value(make_shape("torus", 4000));
   const Editor before = edited(torus, recipe, 1), after = edited(torus, recipe, 0);
   write(folder + "edit.png", {drawn(quads_scene(finished(before, recipe))), drawn(atlas_scene(after)),
@@ -127,14 +129,17 @@ int main(int argc, char** argv) {
   const Triangle_surface bar = value(make_shape("twisted-bar", 5000)),
                          corner = value(make_shape("l-shape", 4000)),
                          tori = value(make_shape("genus-3", 6000));
+  Recipe polycube =
+      recipe_in(recipes + "../../../../test/Reeb_quadrangulation/recipes/l_shape_polycube.json");
+  polycube.finish.features.lines = true;
   write(folder + "shapes.png", {drawn(quads_scene(quads_of(bar, 700, false, true).mesh)),
-                                drawn(quads_scene(quads_of(corner, 700, false, true).mesh)),
+                                drawn(quads_scene(finished(edited(corner, polycube, 0), polycube))),
                                 drawn(quads_scene(quads_of(tori, 1100).mesh))});
 
-  Scene hexagons = quad_scene(value(polygon_mesh(quads.mesh, Polygon_kind::hexagons)), look(3));
+  Scene hexagons = quad_scene(value(polygon_mesh(quads.mesh, Polygon_kind::hexagons)), look(0));
   hexagons.side_width = 0.8;
   Scene quality = quality_scene(quads.mesh);
   quality.legend = {};
-  write(folder + "more.png",
-        {drawn(quads_scene(quads_of(hand, 1200, true).mesh)), drawn(hexagons), drawn(quality)});
+  write(folder + "more.png", {drawn(quads_scene(quads_of(hand, 1200, true).mesh), narrow),
+                              drawn(hexagons, narrow), drawn(quality, narrow)});
 }

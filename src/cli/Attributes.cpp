@@ -47,6 +47,7 @@ void add_charts(const std::vector<Component_run>& components, Mesh_attributes& a
   charts.kind = "chart";
   std::vector<Eigen::Vector2d> uv;
   bool has_uv = true;
+  std::size_t quads = 0;
   for (std::size_t c = 0; c < components.size(); ++c) {
     if (!components[c].result) continue;
     const Quadrangulation& result = *components[c].result;
@@ -54,7 +55,9 @@ void add_charts(const std::vector<Component_run>& components, Mesh_attributes& a
     const std::string prefix = components.size() > 1 ? "component_" + std::to_string(c + 1) + "_" : "";
     for (std::size_t i = 0; i < result.editor.design().charts.size(); ++i)
       charts.names.push_back(prefix + "chart_" + std::to_string(i));
-    for (const int chart : result.chart_of_quad) charts.label.push_back(first + chart);
+    for (const int chart : result.chart_of_quad) charts.label.push_back(chart < 0 ? -1 : first + chart);
+    quads += result.mesh.quads.size();
+    charts.label.resize(quads, -1); // quads between a half and its mirror image may be of no chart
     const Result<std::vector<Quad_parameters>> parameters = quad_parameters(result);
     has_uv = has_uv && bool(parameters);
     if (!has_uv) continue;
@@ -64,7 +67,8 @@ void add_charts(const std::vector<Component_run>& components, Mesh_attributes& a
     pack(charts.label, int(charts.names.size()), uv);
     attributes.uv = std::move(uv);
   } else {
-    attributes.others.push_back("texture coordinates of charts, which subdivided quads do not have");
+    attributes.others.push_back(
+        "texture coordinates of charts, which subdivided or mirrored quads do not have");
   }
   attributes.labels.erase(std::remove_if(attributes.labels.begin(), attributes.labels.end(),
                                          [](const Face_labels& l) { return l.kind == "chart"; }),

@@ -45,7 +45,8 @@ def check(what, found, expected):
 
 
 def by_meshio(meshio, files, points, quads):
-    for extension in ("obj", "ply", "vtu", "inp", "msh", "off"):
+    # It knows no texture coordinates of corners and no quads in OFF: OBJ and PLY are left to VTK.
+    for extension in ("vtu", "inp", "msh"):
         mesh = meshio.read(files[extension])
         cells = sum(len(block.data) for block in mesh.cells if block.type == "quad")
         check(f"meshio's points of {extension}", len(mesh.points), points)
@@ -54,11 +55,11 @@ def by_meshio(meshio, files, points, quads):
             check("meshio's groups of vtu", {int(x) for block in mesh.cell_data["group"] for x in block}, {0, 1})
         if extension == "inp":
             check("meshio's sets of inp", {"GROUP_LEFT", "GROUP_RIGHT"} <= {name.upper() for name in mesh.cell_sets}, True)
-    print("meshio reads obj, ply, vtu, inp, msh and off")
+    print("meshio reads vtu, inp and msh")
 
 
 def by_gmsh(gmsh, files, points, quads):
-    gmsh.initialize(interruptible=False)
+    gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
     gmsh.open(files["msh"])
     tags = gmsh.model.mesh.getNodes()[0]
