@@ -46,8 +46,8 @@ Result<Encoded_mesh> encode_mesh(const Polygon_soup& mesh, Mesh_format format, b
 /// | format | texture coordinates | colours | names of faces |
 /// |--|--|--|--|
 /// | OBJ | `vt` | behind the point | `o`; groups and charts as `g`; `usemtl` |
-/// | PLY | list `texcoord` of the face | `red green blue` | a number of the face for each kind, explained by
-/// comments | | glTF | `TEXCOORD_0`; points at seams are doubled | `COLOR_0` | materials, a primitive each |
+/// | PLY | list `texcoord` of the face | `red green blue` | numbers of the face, explained by comments |
+/// | glTF | `TEXCOORD_0`; points at seams are doubled | `COLOR_0` | materials, a primitive each |
 /// | VTU | no | an array of the points | an array of numbers of the cells for each kind |
 /// | INP | no | no | a set of elements for each name |
 /// | MSH | no | no | a physical group for each name |
