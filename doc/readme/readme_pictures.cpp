@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// readme_pictures FOLDER RECIPES: the pictures of README.md, four small PNG files, drawn by the renderer of this project.
+// readme_pictures FOLDER RECIPES: the pictures of README.md, four small PNG files, drawn by the renderer of
+// this project.
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 #include <CGAL/Reeb_quadrangulation/IO/read_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>

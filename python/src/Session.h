@@ -15,8 +15,8 @@ namespace python {
 /// An editor for Python, with what its recipe says beside the edits. It works for one thread at a time.
 class Session {
 public:
-  /// `recipe` has the component, the holes, the mirror and the finish; its edits are not read. With a mirror, the editor works on a
-  /// half of `whole`.
+  /// `recipe` has the component, the holes, the mirror and the finish; its edits are not read. With a mirror,
+  /// the editor works on a half of `whole`.
   Session(CGAL::Reeb_quadrangulation::Editor editor, CGAL::Reeb_quadrangulation::Recipe recipe,
           CGAL::Reeb_quadrangulation::Triangle_surface whole = {})
       : m_editor(std::move(editor)), m_recipe(std::move(recipe)), m_whole(std::move(whole)) {}
