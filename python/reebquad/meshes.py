@@ -46,7 +46,7 @@ def write_mesh(
     ascii: bool = False,
     comment: str = "",
 ) -> List[str]:
-    """Writes polygons as OBJ, OFF, PLY, VTK, STL or GLB, by the extension; whole or not at all.
+    """Writes polygons by the extension (OBJ, OFF, PLY, VTK, VTU, INP, MSH, STL, GLB); whole or not at all.
 
     Args:
         vertices: (n, 3), finite.

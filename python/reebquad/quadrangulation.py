@@ -105,7 +105,7 @@ def quadrangulate(
     feature_points: Optional[ArrayLike] = None,
     feature_angle: float = 45.0,
     feature_lines: bool = False,
-    align: bool = False,
+    align: bool = True,
     collapse_thin: bool = True,
     relax: bool = True,
     prepare: bool = True,
@@ -157,7 +157,8 @@ def quadrangulate(
         feature_angle: degrees between the normals of faces from which on an edge is sharp and kept; 0: none
             is.
         feature_lines: whole lines of edges are laid onto sharp edges.
-        align: extraordinary vertices are brought in line: fewer patches of the base complex.
+        align: extraordinary vertices are brought in line where quads keep their shape: fewer patches of
+            the base complex.
         collapse_thin: charts thinner than half a quad are removed.
         relax: the quads are relaxed on the surface.
         prepare: a refined copy is worked on where the triangles are coarse.

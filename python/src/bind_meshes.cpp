@@ -43,8 +43,9 @@ std::vector<std::string> write_faces(const std::string& path, const py::object& 
   options.ascii = ascii;
   options.comment = comment;
   if (format_of_extension(path) == Mesh_format::automatic)
-    throw Failed(make_error(Error_code::unsupported_format,
-                            path + ": the extension is not one of obj, off, ply, vtk, stl, glb"));
+    throw Failed(
+        make_error(Error_code::unsupported_format,
+                   path + ": the extension is not one of obj, off, ply, vtk, vtu, inp, msh, stl, glb"));
   Python_observer observer{py::none()};
   return without_lock(observer, [&] { return write_mesh(path, soup, options); });
 }
