@@ -76,6 +76,7 @@
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
 #include <CGAL/Reeb_quadrangulation/layout_sampling.h>
 #include <CGAL/Reeb_quadrangulation/linear_solver.h>
+#include <CGAL/Reeb_quadrangulation/marks.h>
 #include <CGAL/Reeb_quadrangulation/merge_patches.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/mirror_check.h>

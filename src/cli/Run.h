@@ -2,6 +2,7 @@
 #ifndef REEBQUAD_CLI_RUN_H
 #define REEBQUAD_CLI_RUN_H
 
+#include "Marks_output.h"
 #include "Run_options.h"
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
@@ -21,6 +22,7 @@ struct Component_run {
   CGAL::Reeb_quadrangulation::Triangle_surface surface;
   std::optional<CGAL::Reeb_quadrangulation::Quadrangulation> result; ///< none if it failed
   CGAL::Reeb_quadrangulation::Error error;                           ///< why it failed
+  std::optional<Marks_outcome> marks;                                ///< if there are marks
 };
 
 /// Everything about a run that the screen, the report and the pictures show.

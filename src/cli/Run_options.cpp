@@ -108,6 +108,7 @@ void declare(Command_line& line) {
       ("quiet", "print errors only");
   declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
+  declare_marks(line);
   declare_force(line);
   line.take("FILE");
 }
@@ -184,10 +185,12 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   if (line.has("write-recipe")) options.recipe = line.text("write-recipe");
   if (line.has("pictures")) options.pictures = line.text("pictures");
   if (line.has("thumbnail")) options.thumbnail = line.text("thumbnail");
-  keep_inputs(line, {{options.input, line.has("extrema") ? line.text("extrema") : ""},
+  keep_inputs(line, {{options.input, line.has("extrema") ? line.text("extrema") : "",
+                      line.has("marks") ? line.text("marks") : ""},
                      {options.output, options.report, options.html, options.recipe, options.thumbnail},
                      options.pictures});
   options.mending = mending(line);
+  options.marks = marks_request(line);
   for (const char* option : {"weld", "drop-components-below", "refuse-non-manifold"})
     if (!options.recipe.empty() && line.has(option))
       throw Usage_error(std::string("a recipe does not keep --") + option +

@@ -3,6 +3,7 @@
 #define REEBQUAD_CLI_RUN_OPTIONS_H
 
 #include "Command.h"
+#include "Marks_input.h"
 
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
@@ -23,6 +24,7 @@ struct Run_options {
   std::string thumbnail; ///< a PNG file; empty: none is made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
+  Marks_request marks;
   int component = 0;           ///< the only one to mesh, counted from 1; 0: all
   bool all_or_nothing = false; ///< write nothing unless every component is meshed
   bool charts = false;         ///< write the charts of the quads as groups and texture coordinates

@@ -5,6 +5,7 @@
 #include "Design_output.h"
 #include "Input.h"
 #include "Interruption.h"
+#include "Marks_input.h"
 #include "Outputs.h"
 #include "Recipe_input.h"
 #include "Solver_options.h"
@@ -30,6 +31,7 @@ struct Replay_options {
   int component = 0; ///< 0: as the recipe says
   int threads = 0;
   std::optional<double> feature_angle; ///< instead of the recipe's
+  Marks_request marks;                 ///< instead of the recipe's
   bool feature_lines = false;          ///< also where the recipe has none
   bool relax = true;                   ///< where the recipe relaxes
   Solver_options solver;               ///< instead of the recipe's
@@ -53,6 +55,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "no-attributes",
       "do not carry over texture coordinates, colours and names of the input")("quiet", "print errors only");
   declare_force(line);
+  declare_marks(line);
   declare_solver(line, "what the recipe says");
   line.take("INPUT");
   line.take("RECIPE");
@@ -63,7 +66,9 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   options.output = line.required("output");
   if (line.has("report")) options.report = line.text("report");
   if (line.has("pictures")) options.pictures = line.text("pictures");
-  keep_inputs(line, {{options.input, options.recipe}, {options.output, options.report}, options.pictures});
+  keep_inputs(line, {{options.input, options.recipe, line.has("marks") ? line.text("marks") : ""},
+                     {options.output, options.report},
+                     options.pictures});
   if (line.has("until")) {
     options.until = line.values["until"].as<int>();
     if (options.until < 1) throw Usage_error("--until takes the number of edits to apply, 1 or more");
@@ -80,6 +85,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       throw Usage_error("--feature-angle lies between 0 and 180");
   }
   options.feature_lines = line.has("feature-lines");
+  options.marks = marks_request(line);
   options.relax = !line.has("no-relax");
   options.solver = solver_options(line);
   options.attributes = !line.has("no-attributes");
@@ -101,6 +107,10 @@ Recipe read_recipe_until(const Replay_options& options) {
   if (options.feature_angle) recipe.finish.features.feature_angle = *options.feature_angle;
   if (options.feature_lines) recipe.finish.features.lines = true;
   if (!options.relax) recipe.finish.relax = false;
+  if (options.marks.any()) {
+    recipe.finish.marks = read_marks(options.marks, options.input, read_soup(options.input));
+    recipe.finish.features.lines = true;
+  }
   return recipe;
 }
 

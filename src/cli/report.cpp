@@ -145,6 +145,7 @@ Json component_json(const Component_run& component) {
     out["search"].push_back({{"reason", step.reason}, {"energy", step.energy}});
   out["relaxation"] = relaxation_json(result.relaxation);
   out["features"] = features_json(result.features);
+  out["marks"] = component.marks ? marks_json(*component.marks) : Json(nullptr);
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : result.valences)
     out["predicted_valences"][std::to_string(valence)] = number;

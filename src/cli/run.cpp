@@ -48,8 +48,8 @@ private:
 
 class Runner {
 public:
-  explicit Runner(const Run_options& options)
-      : m_options(options), m_observer(options.quiet), m_recorder(&m_observer, own_stages()) {}
+  explicit Runner(Run_options options)
+      : m_options(std::move(options)), m_observer(options.quiet), m_recorder(&m_observer, own_stages()) {}
 
   Exit_code execute() {
     begin("reading");
@@ -57,6 +57,8 @@ public:
     end();
     m_run.input_points = m_input.soup.number_of_points();
     m_run.input_faces = m_input.soup.number_of_polygons();
+    if (m_options.marks.any())
+      m_options.pipeline.marks = read_marks(m_options.marks, m_options.input, m_input.soup);
     mend(m_input.soup);
     if (!m_options.attributes) m_input.attributes = {};
     if (m_input.attributes.empty()) m_input.soup = {}; // nobody asks again
@@ -100,7 +102,7 @@ private:
       m_run.mends = std::move(mended->mends);
       m_run.refused = std::move(mended->refused);
       for (Mended_component& component : mended->components)
-        m_run.components.push_back({std::move(component.surface), std::nullopt, {}});
+        m_run.components.push_back({std::move(component.surface), std::nullopt, {}, {}});
     }
     for (const Error& error : m_run.refused) note_failure(error);
     m_observer.clear();
@@ -260,6 +262,7 @@ private:
     m_run.certificate = certify(input, options);
     end();
     begin("statistics");
+    measure_marks();
     m_run.statistics = quad_statistics(m_run.quads);
     if (m_run.certificate->shape) add_shape(*m_run.statistics, *m_run.certificate->shape);
     end();
@@ -270,6 +273,22 @@ private:
     const bool good = m_options.validate ? m_run.certificate->valid_as_input : m_run.certificate->passed;
     const bool warned = m_options.strict && !m_run.certificate->warnings.empty();
     if (!good || !mirrored || warned) m_run.status = Exit_code::certificate_failed;
+  }
+
+  void measure_marks() {
+    const Marks& marks = m_options.pipeline.marks;
+    if (marks.empty()) return;
+    std::vector<const Marks_outcome*> outcomes;
+    for (Component_run& component : m_run.components) {
+      if (!component.result) continue;
+      component.marks = marks_outcome(component.result->mesh, component.surface, marks,
+                                      m_options.pipeline.features.feature_angle);
+      outcomes.push_back(&*component.marks);
+    }
+    const std::string warning = marks_warning(outcomes, marks);
+    m_observer.clear();
+    if (!warning.empty() && !m_options.quiet)
+      std::cerr << "reebquad: " << m_options.input << ": warning: " << warning << '\n';
   }
 
   void write_outputs() {
@@ -322,6 +341,8 @@ private:
 
   void print_outcome() const {
     if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
+    for (const Component_run& component : m_run.components)
+      if (component.marks && !m_options.quiet) std::cout << marks_text(*component.marks);
     if (m_run.mirror && !m_options.quiet) std::cout << mirror_text(*m_run.mirror_report(), *m_run.mirror);
     if (m_run.is_written()) {
       const std::size_t warnings = m_run.certificate->warnings.size();
@@ -379,7 +400,7 @@ private:
     print_timings(m_run.stages, before_meshing, m_run.stages.size());
   }
 
-  const Run_options& m_options;
+  Run_options m_options;
   Attributed_soup m_input; ///< without its soup where it has no attributes
   Run m_run;
   int m_component = 0;                      ///< the one that is meshed, of several

@@ -37,6 +37,9 @@ TEST_CASE("run equals replay of its recipe, byte for byte, whatever the options"
   check_same_bytes(hand, {"--quads", "800"});
   check_same_bytes(hand, {"--quads", "800", "--effort", "fast", "--adaptive", "2"});
   check_same_bytes(bar, {"--quads", "700", "--effort", "fast", "--feature-lines", "--field", "clamped"});
+  const std::string marks = folder.path("marks.obj");
+  std::ofstream(marks) << "v 0 0 1\nv 1 0 1\nv 1 1 1\nl 1 2 3\n";
+  check_same_bytes(bar, {"--quads", "700", "--effort", "fast", "--marks", marks, "--feature-angle", "0"});
   check_same_bytes(torus, {"--edge-length", "0.1", "--no-relax", "--no-collapse"});
   check_same_bytes(torus, {"--quads", "500", "--mirror", "auto", "--effort", "fast"});
   check_same_bytes(torus,

@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/adapt_quads.h>
 #include <CGAL/Reeb_quadrangulation/finish_quads.h>
+#include <CGAL/Reeb_quadrangulation/marks.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 
 namespace CGAL {
@@ -19,6 +20,9 @@ struct Finish_options {
   /// With a ratio above 1, quads are subdivided where the surface bends, or where a size field asks for it,
   /// after they were relaxed, and relaxed again.
   Adaptive_options adaptive{1};
+  /// With marks, these and the edges that are sharp by the angle of `features` are features that the user
+  /// gives, see finish_on_features.h: they are worth any loss of quality that leaves quads without defects.
+  Marks marks{};
 };
 
 /// The quads of a design in the end, and what was done to them.
@@ -32,7 +36,8 @@ struct Finished_design {
 
 /// Finishes quads on the surface of the projector, which may serve several meshes. Where adaptive quads would
 /// be inverted, other lines between fine and coarse ones are tried, then a lower ratio; the best of all is
-/// taken. Fails with `impossible_request` where an option is out of range, and with `cancelled`.
+/// taken. Fails with `impossible_request` where an option is out of range, as in `marked_features()`, and
+/// with `cancelled`.
 Result<Finished_design> finish_design(Stitched_mesh quads, const Surface_projector& projector,
                                       const Finish_options& options = {}, Observer* observer = nullptr);
 

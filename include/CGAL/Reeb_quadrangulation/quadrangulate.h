@@ -74,6 +74,8 @@ struct Quadrangulation_options {
   /// Move vertices onto sharp edges and corners; needs `relax`.
   bool keep_features = true;
   Snap_options features;
+  /// Edges that the user sets, beside the sharp ones; need `relax`. A recipe keeps them.
+  Marks marks;
   /// The user's own features of the surface, which count instead of its sharp edges; need `relax`. \sa
   /// finish_on_features.h
   std::optional<Given_features> given_features;

@@ -127,6 +127,8 @@ Finish_options finish_options(const Quadrangulation_options& asked) {
   options.relaxation = asked.relaxation;
   options.features = asked.features;
   if (!asked.keep_features) options.features.feature_angle = 0;
+  options.marks = asked.marks;
+  if (!asked.marks.empty()) options.features.lines = true;
   options.adaptive = asked.adaptive;
   if (options.adaptive.ratio != 1 && options.adaptive.quads == 0 && asked.edge_length <= 0)
     options.adaptive.quads = asked.quads;

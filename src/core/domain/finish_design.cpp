@@ -94,7 +94,11 @@ Result<Finished_design> finished(Stitched_mesh quads, const Surface_projector& p
 
 Result<Finished_design> finish_design(Stitched_mesh quads, const Surface_projector& projector,
                                       const Finish_options& options, Observer* observer) {
-  return finished(std::move(quads), projector, nullptr, options, observer);
+  if (options.marks.empty()) return finished(std::move(quads), projector, nullptr, options, observer);
+  const Result<Marked_features> marked =
+      marked_features(projector.surface(), options.marks, options.features.feature_angle);
+  if (!marked) return marked.error();
+  return finished(std::move(quads), projector, &marked->features, options, observer);
 }
 
 Result<Finished_design> finish_design(Stitched_mesh quads, const Surface_projector& projector,

@@ -197,6 +197,15 @@ template <class F> void fields(F& f, Mirror& m) {
   f("normal", m.plane.normal);
   f.optional("positions", m.positions);
 }
+template <class F> void fields(F& f, Mark& m) {
+  f("from", m.from);
+  f("to", m.to);
+}
+template <class F> void fields(F& f, Marks& m) {
+  f.optional("marked", m.marked);
+  f.optional("unmarked", m.unmarked);
+  f.optional("tolerance", m.tolerance);
+}
 template <class F> void fields(F& f, Finish_options& o) {
   f.optional("relax", o.relax);
   f.optional("feature_angle", o.features.feature_angle);
@@ -431,6 +440,13 @@ std::string to_json(const Recipe& recipe) {
     fields(mirror_writer, mirror_copy);
     text += "  \"mirror\": " + mirror.dump() + ",\n";
   }
+  if (!recipe.finish.marks.empty()) {
+    Json marks = Json::object();
+    Writer marks_writer(marks);
+    Marks marks_copy = recipe.finish.marks;
+    fields(marks_writer, marks_copy);
+    text += "  \"marks\": " + marks.dump() + ",\n";
+  }
   text += "  \"options\": " + options.dump() + ",\n  \"finish\": " + finish.dump() + ",\n  \"edits\": [";
   for (std::size_t i = 0; i < recipe.edits.size(); ++i)
     text += (i == 0 ? "\n    " : ",\n    ") + to_json(recipe.edits[i]);
@@ -448,7 +464,7 @@ Result<Recipe> recipe_from_json(const std::string& text) {
     for (const auto& entry : json.items()) {
       const std::string& key = entry.key();
       if (key != "format" && key != "version" && key != "options" && key != "edits" && key != "comment" &&
-          key != "component" && key != "fill_holes" && key != "finish" && key != "mirror")
+          key != "component" && key != "fill_holes" && key != "finish" && key != "mirror" && key != "marks")
         throw Malformed("the recipe has an unknown field \"" + key + "\"");
     }
     if (json.contains("component")) {
@@ -468,6 +484,11 @@ Result<Recipe> recipe_from_json(const std::string& text) {
       fields(reader, recipe.mirror.emplace());
       reader.finish();
       if (recipe.mirror->plane.normal.isZero(0)) throw Malformed("\"mirror\": the normal is zero");
+    }
+    if (json.contains("marks")) {
+      Reader reader(json["marks"], "\"marks\"");
+      fields(reader, recipe.finish.marks);
+      reader.finish();
     }
     if (json.contains("options")) {
       Reader reader(json["options"], "\"options\"");

@@ -28,7 +28,7 @@ struct Recipe {
   std::optional<Mirror> mirror{};
   std::vector<Edit> edits;
   /// How the quads of the design become the result. Kept are `relax`, the angle and the lines of `features`,
-  /// the ratio and the number of quads of `adaptive`.
+  /// the ratio and the number of quads of `adaptive`, and the marks.
   Finish_options finish;
 };
 
