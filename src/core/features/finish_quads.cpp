@@ -31,7 +31,7 @@ constexpr int rounds_onto_crossings = 2;
 constexpr double poor_quad = 0.3;
 
 // The least scaled Jacobian that quads on sharp edges should have, and what part of these a lower one costs.
-constexpr double good_worst = 0.5, price_of_worst = 0.3;
+constexpr double good_worst = 0.5, price_of_worst = 0.5;
 
 // Bold lines are laid over quads as bad as this: most of them get good again around the line.
 constexpr double bold_worst = 0.1;
