@@ -24,7 +24,7 @@ Marks marks_across(const Triangle_surface& surface, const Point& normal) {
 
 int main() {
   Result<Triangle_surface> sphere = make_shape("sphere", 4000);
-  if (!sphere || !connect(*sphere)) return 1;
+  if (!sphere || !sphere->connect()) return 1;
   Quadrangulation_options options;
   options.quads = 1000;
   options.marks = marks_across(*sphere, Point(0.2, 0.1, 1));

@@ -92,7 +92,7 @@ private:
     run().refused = std::move(mended->refused);
     m_components = std::move(mended->components);
     for (const Mended_component& component : m_components)
-      run().components.push_back({component.surface, std::nullopt, {}});
+      run().components.push_back({component.surface, std::nullopt, {}, {}});
     return {};
   }
 

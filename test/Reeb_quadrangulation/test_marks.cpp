@@ -7,6 +7,7 @@
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,18 +36,6 @@ double inner_length(const Triangle_surface& s, const Feature_edges& edges) {
     for (int h : chain.halfedges)
       if (!chain.boundary) sum += (s.points[s.target(h)] - s.points[s.source(h)]).norm();
   return sum;
-}
-
-// The vertical edges of a cylinder-like shape near the plane x = 0 in front.
-std::vector<Mark> edges_between(const Triangle_surface& s, const Point& low, const Point& high) {
-  std::vector<Mark> marks;
-  for (int h = 0; h < s.number_of_halfedges(); ++h) {
-    const Point &a = s.points[s.source(h)], &b = s.points[s.target(h)];
-    const bool inside = (a.array() >= low.array()).all() && (b.array() >= low.array()).all() &&
-                        (a.array() <= high.array()).all() && (b.array() <= high.array()).all();
-    if (s.opposite[h] > h && inside) marks.push_back({a, b});
-  }
-  return marks;
 }
 
 } // namespace
@@ -92,8 +81,9 @@ TEST_CASE("marks within the tolerance are found, and what is unmarked is no feat
   CHECK(inner_length(cube, marked_features(cube, marks, 45)->features.edges) == Approx(all - length));
   marks.marked = marks.unmarked; // marked too: it counts
   CHECK(inner_length(cube, marked_features(cube, marks, 45)->features.edges) == Approx(all));
-  for (Mark& mark : marks.marked) mark.from.x() += 1e-4;
-  for (Mark& mark : marks.marked) mark.to.x() += 1e-4;
+  const Mark& first = marks.unmarked.front();
+  const Point aside = 1e-4 * (first.to - first.from).unitOrthogonal();
+  for (Mark& mark : marks.marked) mark = {mark.from + aside, mark.to + aside};
   CHECK(inner_length(cube, marked_features(cube, marks, 45)->features.edges) == Approx(all - length));
   marks.tolerance = 1e-3;
   CHECK(inner_length(cube, marked_features(cube, marks, 0)->features.edges) >= length - 1e-9);

@@ -335,11 +335,17 @@ Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int insi
   region->field.boundary_is_maximum = boundary_kinds(*region);
   for (std::vector<int>* list : {&region->field.minima, &region->field.maxima})
     std::sort(list->begin(), list->end());
-  for (const bool is_maximum : {false, true})
-    if (!has_end(region->field, is_maximum))
-      return refuse(std::string("in the charts around nothing would be a ") +
-                        (is_maximum ? "maximum" : "minimum"),
-                    "change it on the whole surface");
+  for (const bool is_maximum : {false, true}) {
+    if (has_end(region->field, is_maximum)) continue;
+    const bool is_left = std::any_of(draft.extrema.begin(), draft.extrema.end(),
+                                     [&](const Design_extremum& e) { return e.is_maximum == is_maximum; });
+    if (!is_left && boundary_loops(draft.surface()).empty())
+      return refuse(is_maximum ? "the field needs at least one maximum"
+                               : "the field needs at least one minimum");
+    return refuse(std::string("in the charts around nothing would be a ") +
+                      (is_maximum ? "maximum" : "minimum"),
+                  "change it on the whole surface");
+  }
   const Result<Reeb_layout> layout = make_layout(region->chart.mesh, region->field);
   if (!layout && layout.error().code == Error_code::impossible_request) return refuse(layout.error().message);
   if (!layout) return refuse("too near to another contour", layout.error().message);
