@@ -35,8 +35,11 @@ int main() {
   }
   const Result<Marked_features> marked = marked_features(*sphere, options.marks, 45);
   if (!marked) return 1;
-  for (const Kept_chain& chain : kept_chains(result->mesh, *sphere, marked->features.edges))
-    std::cout << "a chain of length " << chain.length << ": on edges of quads " << chain.on << ", near "
-              << chain.near << ", lost " << chain.lost() << '\n';
+  double on = 0, length = 0;
+  for (const Kept_chain& chain : kept_chains(result->mesh, *sphere, marked->features.edges)) {
+    on += chain.on;
+    length += chain.length;
+  }
+  std::cout << "marks of length " << length << ", of which " << on << " lies on edges of quads\n";
   return result->relaxation.inverted_after == 0 ? 0 : 1;
 }

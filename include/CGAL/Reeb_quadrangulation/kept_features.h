@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -18,7 +19,7 @@ struct Kept_chain {
   Point missed_at = Point::Zero(); ///< its middle
 
   /// What no edge of quads runs along.
-  double lost() const { return length - on - near; }
+  double lost() const { return std::max(0.0, length - on - near); }
 };
 
 /// Measures how the edges of a mesh keep chains of features of a surface, one entry a chain. An edge runs
