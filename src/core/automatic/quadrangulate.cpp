@@ -248,12 +248,18 @@ struct Worth {
   double jacobian = 0, energy = 0;
 };
 
-Worth worth_of(const Editor& editor, const Surface_projector& projector, const Energy_weights& weights) {
+Worth worth_of(const Editor& editor, const Surface_projector& projector,
+               const Quadrangulation_options& options) {
   Worth worth;
-  const Design_energy parts = design_energy(editor.quads(), projector, Surface_samples());
+  const Energy_weights& weights = options.energy;
+  const Stitched_mesh quads = editor.quads();
+  const Design_energy parts = design_energy(quads, projector, Surface_samples());
   worth.patches = patches_of(editor.design());
   worth.jacobian = 1 - parts.angle;
   worth.energy = parts.total(weights) + weights.patches * std::log(double(std::max(1, worth.patches)));
+  if (options.keep_features)
+    worth.energy += weights.features * internal::missed_features(quads.mesh, editor.working_surface(),
+                                                                 options.features.feature_angle);
   return worth;
 }
 
@@ -272,14 +278,14 @@ Result<void> align(Editor& editor, Recipe& recipe, const Quadrangulation_options
                    Observer& observer) {
   if (patches_of(editor.design()) < 2) return {};
   const Surface_projector projector(editor.working_surface());
-  const Worth plain = worth_of(editor, projector, options.energy);
+  const Worth plain = worth_of(editor, projector, options);
   Worth best = plain;
   std::optional<Align_layout> found;
   for (const Align_layout& edit : alignments(options.effort)) {
     const Result<Edit_report> done = editor.apply(edit, &observer);
     if (!done && done.error().code == Error_code::cancelled) return done.error();
     if (!done) continue;
-    const Worth worth = worth_of(editor, projector, options.energy);
+    const Worth worth = worth_of(editor, projector, options);
     const bool better = worth.patches < plain.patches && worth.energy < best.energy;
     if (better) {
       best = worth;
