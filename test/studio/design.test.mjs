@@ -212,7 +212,7 @@ test("what changed of the layers, put in edit by edit, makes what a new page is 
   const patched = await layers();
   await studio.page.reload();
   await studio.page.waitForFunction(() => window.studio?.store.get("state")?.finished);
-  assert.equal(patched.length, 9);
+  assert.equal(patched.length, 10);
   assert.deepEqual(await layers(), patched);
 });
 
