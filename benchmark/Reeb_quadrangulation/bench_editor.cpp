@@ -130,16 +130,12 @@ void run_chart_edits(Random_elements& random, const Run& run) {
 
 int main(int argc, char** argv) {
   internal::keep_freed_memory();
-  const std::string shape = argc > 1 ? argv[1] : "genus-3";
-  const int triangles = argc > 2 ? std::atoi(argv[2]) : 400000, wanted = argc > 3 ? std::atoi(argv[3]) : 20;
-  const Result<Triangle_surface> surface = make_shape(shape, triangles);
+  const Arguments arguments = arguments_of(argc, argv);
+  const Result<Triangle_surface> surface = make_shape(arguments.shape, arguments.triangles);
   if (!surface) fail(surface.error());
-  Result<Editor> made = Editor::create(*surface);
-  if (!made) fail(made.error());
-  Editor& editor = *made;
-  if (const Result<Edit_report> done = editor.apply(Suggest{}); !done) fail(done.error());
+  Editor editor = suggested_session(*surface);
   const double rebuild = rebuild_seconds(*surface), cholmod = cholmod_seconds(editor.working_surface());
-  std::cout << Json{{"shape", shape},
+  std::cout << Json{{"shape", arguments.shape},
                     {"triangles", editor.working_surface().number_of_faces()},
                     {"charts", editor.design().charts.size()},
                     {"rebuild_seconds", rebuild},
@@ -148,7 +144,7 @@ int main(int argc, char** argv) {
             << std::endl;
   Random_elements random(editor);
   const Run run = [&](const char* kind, const std::function<Edit()>& make) {
-    measure(editor, kind, wanted, rebuild, cholmod, make);
+    measure(editor, kind, arguments.wanted, rebuild, cholmod, make);
   };
   run_layout_edits(editor, random, run);
   run_chart_edits(random, run);

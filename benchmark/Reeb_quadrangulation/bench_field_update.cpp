@@ -262,16 +262,12 @@ void measure_contours(Editor& editor, Random_elements& random, const std::vector
 
 int main(int argc, char** argv) {
   internal::keep_freed_memory();
-  const std::string shape = argc > 1 ? argv[1] : "genus-3";
-  const int triangles = argc > 2 ? std::atoi(argv[2]) : 400000, wanted = argc > 3 ? std::atoi(argv[3]) : 20;
-  const Result<Triangle_surface> surface = make_shape(shape, triangles);
+  const Arguments arguments = arguments_of(argc, argv);
+  const Result<Triangle_surface> surface = make_shape(arguments.shape, arguments.triangles);
   if (!surface) fail(surface.error());
-  Result<Editor> made = Editor::create(*surface);
-  if (!made) fail(made.error());
-  Editor& editor = *made;
-  if (const Result<Edit_report> done = editor.apply(Suggest{}); !done) fail(done.error());
+  Editor editor = suggested_session(*surface);
   const double cholmod = cholmod_seconds(editor.working_surface());
-  std::cout << Json{{"shape", shape},
+  std::cout << Json{{"shape", arguments.shape},
                     {"triangles", editor.working_surface().number_of_faces()},
                     {"cholmod_factor_and_solve_seconds", cholmod}}
                    .dump()
@@ -279,9 +275,9 @@ int main(int argc, char** argv) {
   const std::vector<int> places = surface_places(editor);
   Random_elements random(editor);
 
-  measure_extrema(editor, random, places, wanted, cholmod);
-  measure_contours(editor, random, places, wanted, cholmod);
-  compare_enforcements(editor, random, wanted);
+  measure_extrema(editor, random, places, arguments.wanted, cholmod);
+  measure_contours(editor, random, places, arguments.wanted, cholmod);
+  compare_enforcements(editor, random, arguments.wanted);
   const double begin = now();
   const Result<std::vector<Hint>> hints = suggest_edits(editor);
   if (!hints) fail(hints.error());

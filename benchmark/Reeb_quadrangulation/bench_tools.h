@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace bench {
@@ -20,6 +21,20 @@ using namespace CGAL::Reeb_quadrangulation;
 
 inline double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+struct Arguments {
+  std::string shape = "genus-3";
+  int triangles = 400000, wanted = 20; // edits of a kind
+};
+
+// SHAPE, TRIANGLES and the number of edits of a kind.
+inline Arguments arguments_of(int argc, char** argv) {
+  Arguments result;
+  if (argc > 1) result.shape = argv[1];
+  if (argc > 2) result.triangles = std::atoi(argv[2]);
+  if (argc > 3) result.wanted = std::atoi(argv[3]);
+  return result;
 }
 
 [[noreturn]] inline void fail(const Error& error) {
@@ -49,6 +64,14 @@ inline double cholmod_seconds(const Triangle_surface& surface) {
     seconds.push_back(now() - begin);
   }
   return *std::min_element(seconds.begin(), seconds.end());
+}
+
+// A session with the suggested design.
+inline Editor suggested_session(const Triangle_surface& surface) {
+  Result<Editor> editor = Editor::create(surface);
+  if (!editor) fail(editor.error());
+  if (const Result<Edit_report> done = editor->apply(Suggest{}); !done) fail(done.error());
+  return std::move(*editor);
 }
 
 class Random_elements {

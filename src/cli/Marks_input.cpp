@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Marks_input.h"
 
+#include "Attributes.h"
 #include "Failure.h"
 #include "Text_input.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/read_file.h>
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 
 #include <algorithm>
 #include <array>
@@ -107,7 +107,7 @@ void declare_marks(Command_line& line) {
                              "edges that quads keep, beside those of --feature-angle: lines 'mark A B' and "
                              "'unmark A B', points of the mesh "
                              "counted from 0 or positions, or an OBJ file with lines")(
-      "mark-groups", "mark the borders of groups and materials of the mesh, an OBJ file")(
+      "mark-groups", "mark the borders of groups and materials of the mesh, an OBJ or PLY file")(
       "mark-seams", "mark its seams of texture coordinates");
 }
 
@@ -129,84 +129,61 @@ Result<Marks> parse_marks(const std::string& text, const Polygon_soup& soup) {
   return marks;
 }
 
-Marks read_marks(const Marks_request& request, const std::string& input, const Polygon_soup& soup) {
+Marks read_marks(const Marks_request& request, const std::string& input, const Attributed_soup& mesh) {
   Marks marks;
   if (!request.file.empty())
     marks = value_or_fail(
-        parse_marks(value_or_fail(read_file(request.file, largest_marks), request.file), soup), request.file);
+        parse_marks(value_or_fail(read_file(request.file, largest_marks), request.file), mesh.soup),
+        request.file);
   if (!request.groups && !request.seams) return marks;
-  const std::string text = value_or_fail(read_file(input, largest_mesh_file), input);
   const std::vector<Mark> borders =
-      value_or_fail(borders_in_obj(text, soup, request.groups, request.seams), input);
+      value_or_fail(borders_of_attributes(mesh, request.groups, request.seams), input);
   marks.marked.insert(marks.marked.end(), borders.begin(), borders.end());
   return marks;
 }
 
 namespace {
 
-/// What the polygons of an OBJ text have besides points: a number for the group, object and material of each,
-/// and the texture coordinates of each corner, 0: none.
-struct Obj_attributes {
-  std::vector<int> group;
-  std::vector<std::vector<long>> texture;
+// What a polygon is on one side of an edge: its names, and the texture coordinates at the edge's lower and
+// higher vertex.
+struct Edge_side {
+  std::vector<int> names;
+  std::array<Eigen::Vector2d, 2> uv;
 };
 
-Obj_attributes attributes_of(const std::string& text) {
-  Obj_attributes result;
-  std::map<std::array<std::string, 3>, int> numbers;
-  std::array<std::string, 3> now; // object, group, material
-  const std::map<std::string, std::size_t> kinds = {{"o", 0}, {"g", 1}, {"usemtl", 2}};
-  long textures = 0;
-  std::string joined = text;
-  for (std::size_t at = 0; (at = joined.find("\\\n", at)) != std::string::npos;) joined.replace(at, 2, "  ");
-  std::istringstream lines(joined);
-  for (std::string line; std::getline(lines, line);) {
-    line.erase(std::min(line.find('#'), line.size()));
-    std::istringstream in(line);
-    std::string word;
-    if (!(in >> word)) continue;
-    if (word == "vt") ++textures;
-    if (const auto kind = kinds.find(word); kind != kinds.end()) std::getline(in, now[kind->second]);
-    if (word != "f" && word != "fo") continue;
-    result.group.push_back(numbers.emplace(now, int(numbers.size())).first->second);
-    result.texture.emplace_back();
-    for (std::string corner; in >> corner;) {
-      const std::size_t slash = corner.find('/');
-      const long index =
-          slash == std::string::npos ? 0 : std::strtol(corner.c_str() + slash + 1, nullptr, 10);
-      result.texture.back().push_back(index < 0 ? textures + index + 1 : index);
-    }
-  }
-  return result;
+// Corners without texture coordinates are alike.
+bool is_same(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a == b || (!a.allFinite() && !b.allFinite());
+}
+
+bool is_same(const Edge_side& a, const Edge_side& b) {
+  return a.names == b.names && is_same(a.uv[0], b.uv[0]) && is_same(a.uv[1], b.uv[1]);
 }
 
 } // namespace
 
-Result<std::vector<Mark>> borders_in_obj(const std::string& text, const Polygon_soup& soup, bool groups,
-                                         bool seams) {
-  const Obj_attributes attributes = attributes_of(text);
-  const std::size_t n = std::size_t(soup.number_of_polygons());
-  if (attributes.group.size() != n)
+Result<std::vector<Mark>> borders_of_attributes(const Attributed_soup& mesh, bool groups, bool seams) {
+  const Polygon_soup& soup = mesh.soup;
+  std::vector<const Face_labels*> names;
+  for (const Face_labels& labels : mesh.attributes.labels)
+    if (groups && labels.kind != "chart") names.push_back(&labels);
+  const std::vector<Eigen::Vector2d>& uv = mesh.attributes.uv;
+  if ((groups && names.empty()) || (seams && uv.empty()))
     return make_error(Error_code::unsupported_format,
-                      "groups, materials and seams are read of OBJ files, which this is not");
-  // Of each edge, from its smaller point: the group, and the texture coordinates at both ends.
-  std::map<std::array<int, 2>, std::array<long, 3>> seen;
+                      "it has no groups or materials, or no texture coordinates, as OBJ and PLY files may");
+  std::map<std::array<int, 2>, Edge_side> seen;
   std::map<std::array<int, 2>, bool> is_border;
-  for (std::size_t p = 0; p < n; ++p) {
-    const int size = soup.size_of_polygon(int(p)), begin = soup.begin[p];
-    const std::vector<long>& texture = attributes.texture[p];
-    if (int(texture.size()) != size) continue;
+  for (int p = 0; p < soup.number_of_polygons(); ++p) {
+    Edge_side side;
+    for (const Face_labels* labels : names) side.names.push_back(labels->label[std::size_t(p)]);
+    const int size = soup.size_of_polygon(p), begin = soup.begin[std::size_t(p)];
     for (int i = 0; i < size; ++i) {
-      const int j = (i + 1) % size;
-      std::array<int, 2> ends{soup.corner[std::size_t(begin + i)], soup.corner[std::size_t(begin + j)]};
-      std::array<long, 3> at{groups ? attributes.group[p] : 0, seams ? texture[std::size_t(i)] : 0,
-                             seams ? texture[std::size_t(j)] : 0};
-      if (ends[0] > ends[1]) {
-        std::swap(ends[0], ends[1]);
-        std::swap(at[1], at[2]);
-      }
-      if (const auto [entry, is_new] = seen.emplace(ends, at); !is_new && entry->second != at)
-        is_border[ends] = true;
+      std::array<std::size_t, 2> corner{std::size_t(begin + i), std::size_t(begin + (i + 1) % size)};
+      if (soup.corner[corner[0]] > soup.corner[corner[1]]) std::swap(corner[0], corner[1]);
+      for (std::size_t k = 0; k < 2; ++k) side.uv[k] = seams ? uv[corner[k]] : Eigen::Vector2d(0, 0);
+      const std::array<int, 2> ends{soup.corner[corner[0]], soup.corner[corner[1]]};
+      const auto [entry, is_new] = seen.emplace(ends, side);
+      if (!is_new && !is_same(entry->second, side)) is_border[ends] = true;
     }
   }
   std::vector<Mark> marks;

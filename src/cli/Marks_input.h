@@ -12,6 +12,8 @@
 
 namespace reebquad {
 
+struct Attributed_soup;
+
 /// Where the marks of a command come from.
 struct Marks_request {
   std::string file;    ///< empty: none
@@ -27,20 +29,19 @@ void declare_marks(Command_line& line);
 Marks_request marks_request(const Command_line& line);
 
 /// Reads marks: of a text with lines 'mark A B' and 'unmark A B', or of the lines of an OBJ file. A `Failure`
-/// names the line that cannot be read. `soup` is the mesh file `input` as it was read, whose points the lines
+/// names the line that cannot be read. `mesh` is the file `input` as it was read, whose points the lines
 /// of a text number.
 CGAL::Reeb_quadrangulation::Marks read_marks(const Marks_request& request, const std::string& input,
-                                             const CGAL::Reeb_quadrangulation::Polygon_soup& soup);
+                                             const Attributed_soup& mesh);
 
 /// Marks from such a text, or from the lines of an OBJ text.
 CGAL::Reeb_quadrangulation::Result<CGAL::Reeb_quadrangulation::Marks>
 parse_marks(const std::string& text, const CGAL::Reeb_quadrangulation::Polygon_soup& soup);
 
-/// The edges of the polygons of an OBJ text between two groups, objects or materials, or with texture
-/// coordinates that differ on their two sides. \pre `soup` was read from the text
+/// The edges of polygons between two groups, objects or materials, or with texture coordinates that differ on
+/// their two sides. Fails with `unsupported_format` where the mesh has nothing of the kind.
 CGAL::Reeb_quadrangulation::Result<std::vector<CGAL::Reeb_quadrangulation::Mark>>
-borders_in_obj(const std::string& text, const CGAL::Reeb_quadrangulation::Polygon_soup& soup, bool groups,
-               bool seams);
+borders_of_attributes(const Attributed_soup& mesh, bool groups, bool seams);
 
 } // namespace reebquad
 

@@ -108,7 +108,9 @@ Recipe read_recipe_until(const Replay_options& options) {
   if (options.feature_lines) recipe.finish.features.lines = true;
   if (!options.relax) recipe.finish.relax = false;
   if (options.marks.any()) {
-    recipe.finish.marks = read_marks(options.marks, options.input, read_soup(options.input));
+    std::vector<std::string> told_later;
+    recipe.finish.marks =
+        read_marks(options.marks, options.input, read_attributed_soup(options.input, &told_later));
     recipe.finish.features.lines = true;
   }
   return recipe;

@@ -58,7 +58,7 @@ public:
     m_run.input_points = m_input.soup.number_of_points();
     m_run.input_faces = m_input.soup.number_of_polygons();
     if (m_options.marks.any())
-      m_options.pipeline.marks = read_marks(m_options.marks, m_options.input, m_input.soup);
+      m_options.pipeline.marks = read_marks(m_options.marks, m_options.input, m_input);
     mend(m_input.soup);
     if (!m_options.attributes) m_input.attributes = {};
     if (m_input.attributes.empty()) m_input.soup = {}; // nobody asks again

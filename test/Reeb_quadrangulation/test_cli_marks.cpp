@@ -110,7 +110,7 @@ TEST_CASE("marks beside the surface are told, and lines that cannot be read are 
   }
 }
 
-TEST_CASE("groups are only read of OBJ files") {
+TEST_CASE("a file without groups has no borders of groups to mark") {
   const Temporary_folder folder;
   const std::string off = folder.path("cube.off");
   REQUIRE(reebquad({"shape", "cube", "-o", off}).code == 0);

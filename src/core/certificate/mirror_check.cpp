@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/mirror_check.h>
 
+#include "base/diagonal.h"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -42,15 +44,6 @@ std::string asymmetry(const Quad_mesh& quads, const std::vector<int>& image) {
   return {};
 }
 
-double diagonal_of(const std::vector<Point>& points) {
-  Point low = points.front(), high = low;
-  for (const Point& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).norm();
-}
-
 } // namespace
 
 Mirror_check check_mirror(const Quad_mesh& quads, const Mirror_plane& plane, const std::vector<int>& image) {
@@ -58,7 +51,7 @@ Mirror_check check_mirror(const Quad_mesh& quads, const Mirror_plane& plane, con
   check.message = quads.quads.empty() ? "there are no quads" : asymmetry(quads, image);
   check.is_symmetric = check.is_exact = check.message.empty();
   if (!check.is_symmetric) return check;
-  const double diagonal = diagonal_of(quads.points);
+  const double diagonal = internal::diagonal_of(quads.points);
   for (std::size_t v = 0; v < image.size(); ++v) {
     const Point &p = quads.points[v], &q = quads.points[std::size_t(image[v])];
     check.on_plane += image[v] == int(v);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/mirror_quads.h>
 
+#include "base/diagonal.h"
 #include "base/quad_connectivity.h"
+#include "base/segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,23 +30,6 @@ constexpr double poor_image = 0.2;
 
 // How far the ring along the plane reaches into the quads, in lengths of their edges.
 constexpr double ring_width = 1.0 / 3;
-
-double diagonal_of(const Triangle_surface& s) {
-  Point low = s.points[std::size_t(s.triangles[0][0])], high = low;
-  for (const Triangle& t : s.triangles)
-    for (int v : t) {
-      low = low.cwiseMin(s.points[std::size_t(v)]);
-      high = high.cwiseMax(s.points[std::size_t(v)]);
-    }
-  return (high - low).norm();
-}
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double length = d.squaredNorm();
-  const double t = length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0;
-  return (a + t * d - p).norm();
-}
 
 // The quads of a half on their way to those of the whole.
 class Weld {
@@ -161,12 +146,13 @@ public:
       for (Point& p : mesh().points) p = projector.closest(p).point;
       return {};
     }
-    std::vector<int> held = m_design.quads.held_vertices;
-    held.insert(held.end(), m_pinned.begin(), m_pinned.end());
-    Result<Finished_quads> finished =
-        finish_quads(std::move(mesh()), projector, options.relaxation, options.features, observer, held);
+    Finish_options again = options; // of quads that are subdivided already
+    again.adaptive.ratio = 1;
+    Stitched_mesh quads = m_design.quads;
+    quads.held_vertices.insert(quads.held_vertices.end(), m_pinned.begin(), m_pinned.end());
+    Result<Finished_design> finished = finish_design(std::move(quads), projector, again, observer);
     if (!finished) return finished.error();
-    mesh() = std::move(finished->mesh);
+    mesh() = std::move(finished->quads.mesh);
     m_design.relaxation = std::move(finished->relaxation);
     m_design.features = finished->features;
     return {};
@@ -291,8 +277,8 @@ private:
     for (int h = 0; h < s.number_of_halfedges(); ++h) {
       if (!s.is_boundary(h)) continue;
       double& least = m_half.on_plane[std::size_t(h)] ? cut : own;
-      least = std::min(least, distance_to_segment(p, s.points[std::size_t(s.source(h))],
-                                                  s.points[std::size_t(s.target(h))]));
+      least = std::min(least, squared_distance_to_segment(p, s.points[std::size_t(s.source(h))],
+                                                          s.points[std::size_t(s.target(h))]));
     }
     return cut <= own;
   }
@@ -414,7 +400,7 @@ Result<void> project(Mirrored_design& design, const Mirror_plane& plane, const S
 Result<Mirrored_design> mirror_design(Finished_design half_design, const Surface_half& half,
                                       const Surface_projector& whole, Mirror_positions positions,
                                       const Finish_options& options, Observer* observer) {
-  const double diagonal = diagonal_of(half.surface);
+  const double diagonal = internal::diagonal_of(half.surface.points);
   Weld weld(std::move(half_design), half, diagonal);
   bool unfinished = half.arcs > 0 && weld.pin_ends();
   if (Result<void> found = weld.find_plane(); !found) return found.error();

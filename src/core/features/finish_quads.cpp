@@ -58,8 +58,8 @@ public:
       : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_features(features),
         m_is_given(true), m_observer(observer), m_held(held) {}
 
-  // Quads are first relaxed without regard to sharp edges. Of the ways onto these, the first is taken that
-  // makes them no worse.
+  // Quads are first relaxed without regard to sharp edges. Of the ways onto these that
+  // make them no worse, the one that is worth most is taken.
   Result<Finished_quads> run(Quad_mesh mesh) const {
     Finished_quads plain;
     plain.mesh = std::move(mesh);

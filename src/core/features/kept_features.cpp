@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/kept_features.h>
 
-#include "base/compatibility.h"
-
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
+#include "base/segment_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -15,9 +12,7 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-using Kernel = Simple_cartesian<double>;
-using Segments = std::vector<Kernel::Segment_3>;
-using Primitive = internal::Aabb_segment_primitive<Kernel, Segments::const_iterator>;
+using internal::Segment_tree;
 
 // How near an edge of quads lies to a chain that it is on, or beside, in units of its own length.
 constexpr std::array<double, 2> tolerance = {0.1, 0.5};
@@ -25,30 +20,11 @@ constexpr std::array<double, 2> tolerance = {0.1, 0.5};
 // Chains are measured at so many points for each edge of the quads.
 constexpr double points_per_edge = 8;
 
-Kernel::Point_3 to_kernel(const Point& p) {
-  return {p.x(), p.y(), p.z()};
+// The distance in lengths of the segment that is nearest.
+double relative_distance(const Segment_tree& segments, const Point& p) {
+  const Segment_tree::Nearest nearest = segments.nearest(p);
+  return std::sqrt(nearest.squared_distance / segments.squared_length(nearest.segment));
 }
-
-// Segments among which the nearest is found.
-class Segment_tree {
-public:
-  void add(const Point& a, const Point& b) { m_segments.emplace_back(to_kernel(a), to_kernel(b)); }
-  void build() {
-    m_tree.rebuild(m_segments.cbegin(), m_segments.cend());
-    m_tree.accelerate_distance_queries();
-  }
-  bool empty() const { return m_segments.empty(); }
-  double squared_distance(const Point& p) const { return m_tree.squared_distance(to_kernel(p)); }
-  // The distance in lengths of the segment that is nearest.
-  double relative_distance(const Point& p) const {
-    const auto found = m_tree.closest_point_and_primitive(to_kernel(p));
-    return std::sqrt(CGAL::squared_distance(found.first, to_kernel(p)) / found.second->squared_length());
-  }
-
-private:
-  Segments m_segments;
-  AABB_tree<internal::Aabb_traits<Kernel, Primitive>> m_tree;
-};
 
 double length_of(const Triangle_surface& s, int h) {
   return (s.points[s.target(h)] - s.points[s.source(h)]).norm();
@@ -78,7 +54,7 @@ public:
 
   double mean_length() const { return m_mean; }
   bool have(std::size_t k, const Point& p) const {
-    return !m_edges[k].empty() && m_edges[k].relative_distance(p) <= tolerance[k];
+    return !m_edges[k].empty() && relative_distance(m_edges[k], p) <= tolerance[k];
   }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
+#include "base/diagonal.h"
 #include "base/equal_points.h"
 #include "mend/corners.h"
 #include "mend/duplicates.h"
@@ -321,12 +322,6 @@ private:
 
   // ---- all components ----
 
-  static double diagonal(const Triangle_surface& surface) {
-    Eigen::AlignedBox3d box;
-    for (const Point& p : surface.points) box.extend(p);
-    return box.isEmpty() ? 0 : box.diagonal().norm();
-  }
-
   void drop_small_components() {
     Eigen::AlignedBox3d all;
     for (const Mended_component& c : m_result.components)
@@ -336,8 +331,8 @@ private:
     if (!(least > 0) && m_options.fewest_triangles <= 0) return;
     std::int64_t faces = 0;
     const auto is_small = [&](const Mended_component& c) {
-      const bool small =
-          diagonal(c.surface) < least || c.surface.number_of_faces() < m_options.fewest_triangles;
+      const bool small = internal::diagonal_of(c.surface.points) < least ||
+                         c.surface.number_of_faces() < m_options.fewest_triangles;
       m_small += small;
       faces += small ? c.surface.number_of_faces() : 0;
       return small;

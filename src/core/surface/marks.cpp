@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/marks.h>
 
-#include "base/compatibility.h"
+#include "base/diagonal.h"
+#include "base/segment_tree.h"
 #include "base/sharp_edge.h"
 
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions.h>
 
 #include <Eigen/Geometry>
@@ -18,20 +17,6 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-using Kernel = Simple_cartesian<double>;
-using Segments = std::vector<Kernel::Segment_3>;
-using Primitive = internal::Aabb_segment_primitive<Kernel, Segments::const_iterator>;
-
-Kernel::Point_3 to_kernel(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-double diagonal(const Triangle_surface& s) {
-  Eigen::AlignedBox3d box;
-  for (const Point& p : s.points) box.extend(p);
-  return s.points.empty() ? 0 : box.diagonal().norm();
-}
-
 // Marks among which those that an edge lies along are found.
 class Mark_tree {
 public:
@@ -39,21 +24,20 @@ public:
       : m_squared_tolerance(tolerance * tolerance), m_covered(marks.size(), 0), m_lengths(marks.size(), 0) {
     for (std::size_t i = 0; i < marks.size(); ++i) {
       m_lengths[i] = (marks[i].to - marks[i].from).norm();
-      m_segments.emplace_back(to_kernel(marks[i].from), to_kernel(marks[i].to));
+      m_segments.add(marks[i].from, marks[i].to);
     }
-    m_tree.rebuild(m_segments.cbegin(), m_segments.cend());
-    if (!m_segments.empty()) m_tree.accelerate_distance_queries();
+    m_segments.build();
   }
 
   // Whether the edge lies along marks; the mark at its middle is then found so far.
   bool take(const Point& a, const Point& b) {
     if (m_segments.empty()) return false;
     for (const Point& end : {a, b})
-      if (m_tree.squared_distance(to_kernel(end)) > m_squared_tolerance) return false;
-    const Kernel::Point_3 middle = to_kernel(0.5 * (a + b));
-    const auto nearest = m_tree.closest_point_and_primitive(middle);
-    if (CGAL::squared_distance(nearest.first, middle) > m_squared_tolerance) return false;
-    m_covered[std::size_t(nearest.second - m_segments.cbegin())] += (b - a).norm();
+      if (m_segments.squared_distance(end) > m_squared_tolerance) return false;
+    const Point middle = 0.5 * (a + b);
+    const internal::Segment_tree::Nearest nearest = m_segments.nearest(middle);
+    if (nearest.squared_distance > m_squared_tolerance) return false;
+    m_covered[nearest.segment] += (b - a).norm();
     return true;
   }
 
@@ -67,8 +51,7 @@ public:
 private:
   double m_squared_tolerance;
   std::vector<double> m_covered, m_lengths;
-  Segments m_segments;
-  AABB_tree<internal::Aabb_traits<Kernel, Primitive>> m_tree;
+  internal::Segment_tree m_segments;
 };
 
 Result<void> check(const Marks& marks, double feature_angle) {
@@ -90,7 +73,7 @@ Result<void> check(const Marks& marks, double feature_angle) {
 Result<Marked_features> marked_features(const Triangle_surface& surface, const Marks& marks,
                                         double feature_angle) {
   if (Result<void> fine = check(marks, feature_angle); !fine) return fine.error();
-  const double tolerance = marks.tolerance * diagonal(surface);
+  const double tolerance = marks.tolerance * internal::diagonal_of(surface.points);
   Mark_tree marked(marks.marked, tolerance), unmarked(marks.unmarked, tolerance);
   std::vector<char> sharp(std::size_t(surface.number_of_halfedges()), 0);
   const double cosine = internal::cosine_of(feature_angle);

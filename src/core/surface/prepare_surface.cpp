@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 
+#include "base/diagonal.h"
 #include "surface/Surface_editor.h"
 
 #include <CGAL/assertions.h>
@@ -40,16 +41,6 @@ double badness_of_angle(double degrees) {
 }
 double angle_of(double badness) {
   return std::atan(1 / std::sqrt(badness)) * 180 / pi;
-}
-
-double diagonal(const Triangle_surface& s) {
-  if (s.points.empty()) return 0;
-  Point low = s.points.front(), high = low;
-  for (const Point& p : s.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).norm();
 }
 
 struct Long_edge {
@@ -219,7 +210,7 @@ bool Preparation::is_flip_good(int h) const {
 // all smallest angles larger, so this ends; the limit is for rounding. Faces that changed are appended to
 // `changed`.
 bool Preparation::flip_edges(const std::vector<int>& faces, std::vector<int>* changed) {
-  if (m_diagonal == 0) m_diagonal = diagonal(m_surface);
+  if (m_diagonal == 0) m_diagonal = internal::diagonal_of(m_surface.points);
   m_queued.resize(m_surface.number_of_faces(), 0);
   m_queue.clear();
   const auto enqueue = [&](int f) {
