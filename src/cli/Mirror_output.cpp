@@ -11,11 +11,11 @@ namespace reebquad {
 using namespace CGAL::Reeb_quadrangulation;
 using Json = nlohmann::ordered_json;
 
-namespace {
-
-Json json_of(const Point& p) {
+nlohmann::ordered_json coordinates(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
+
+namespace {
 
 std::string percent(double fraction) {
   char text[32];
@@ -67,13 +67,13 @@ std::string mirror_text(const Mirror_report& report, const Mirror_check& check) 
 
 Json mirror_json(const Mirror_report& report, const Mirror_check& check) {
   const Mirror_plane& plane = report.mirror.plane;
-  Json json{{"plane", {{"point", json_of(plane.point)}, {"normal", json_of(plane.normal)}}},
+  Json json{{"plane", {{"point", coordinates(plane.point)}, {"normal", coordinates(plane.normal)}}},
             {"text", to_text(plane)},
             {"positions", report.mirror.positions == Mirror_positions::exact ? "exact" : "projected"},
             {"surface_deviation",
              {{"largest", report.deviation.largest},
               {"mean", report.deviation.mean},
-              {"at", json_of(report.deviation.at)}}},
+              {"at", coordinates(report.deviation.at)}}},
             {"symmetric", check.is_symmetric},
             {"exact", check.is_exact},
             {"deviation", check.deviation},

@@ -12,6 +12,9 @@
 
 namespace reebquad {
 
+/// The three coordinates, as reports list them.
+nlohmann::ordered_json coordinates(const CGAL::Reeb_quadrangulation::Point& p);
+
 /// What `--mirror` takes: auto, x, y, z, -x, -y, -z or PX,PY,PZ,NX,NY,NZ. Nothing for none; a `Failure` for
 /// anything else.
 std::optional<CGAL::Reeb_quadrangulation::Mirror_request> mirror_request(const std::string& text);

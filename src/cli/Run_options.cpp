@@ -52,7 +52,7 @@ template <class T> po::typed_value<T>* value(const char* name) {
   return po::value<T>()->value_name(name);
 }
 
-void declare(Command_line& line) {
+void declare_run_options(Command_line& line) {
   const double default_persistence = Suggestion_options().persistence;
   line.options.add_options() //
       ("output,o", value<std::string>("FILE"),
@@ -174,7 +174,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
 
 std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   Command_line line("run FILE -o QUADS [options]");
-  declare(line);
+  declare_run_options(line);
   if (!line.parse(arguments)) return std::nullopt;
   Run_options options;
   options.input = line.required("FILE");

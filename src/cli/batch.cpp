@@ -322,7 +322,7 @@ private:
   std::size_t m_total = 0, m_finished = 0;
 };
 
-void declare(Command_line& line) {
+void declare_batch_options(Command_line& line) {
   const int cores = std::max(1, int(std::thread::hardware_concurrency()));
   line.options.add_options()                                                                  //
       ("output,o", po::value<std::string>()->value_name("DIR"), "the folder of all results")  //
@@ -376,7 +376,7 @@ void check_run_options(const Batch_options& options) {
 
 std::optional<Batch_options> parse_batch_options(const Arguments& arguments) {
   Command_line line("batch IN... -o DIR [options] [-- options of run]");
-  declare(line);
+  declare_batch_options(line);
   const auto bar = std::find(arguments.begin(), arguments.end(), "--");
   if (!line.parse({arguments.begin(), bar})) return std::nullopt;
   Batch_options options;

@@ -24,10 +24,6 @@ Json json_of(const std::vector<Stage_time>& stages) {
   return list;
 }
 
-Json json_of(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
 Json json_of(const Error& error) {
   Json out{{"message", error.message}, {"description", description(error.code)}};
   if (error.element != Element_kind::none) {
@@ -43,7 +39,7 @@ Json extrema_json(const Editor& editor) {
     for (const Design_extremum& e : editor.design().extrema)
       if (e.is_maximum == is_maximum)
         list.push_back({{"kind", is_maximum ? "maximum" : "minimum"},
-                        {"position", json_of(editor.working_surface().points[e.vertex])}});
+                        {"position", coordinates(editor.working_surface().points[e.vertex])}});
   return list;
 }
 

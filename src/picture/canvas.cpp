@@ -12,7 +12,6 @@ namespace {
 
 constexpr double grid_lines = 9.5; ///< units of the font's grid in the height of a line
 constexpr double letter_gap = 1.7; ///< units between two letters
-constexpr Colour ink{58, 56, 62};
 
 /// The pixels whose centres may lie between `low` and `high`, within [0, size).
 int first_pixel(double low) {

@@ -12,6 +12,9 @@ namespace internal {
 /// A stroke of a glyph on the font's grid: capitals stand between y = 2 (the baseline) and y = 8.
 using Stroke = std::vector<Eigen::Vector2f>;
 
+/// The colour of texts and axes.
+constexpr Colour ink{58, 56, 62};
+
 struct Glyph {
   float width = 4;
   std::vector<Stroke> strokes;

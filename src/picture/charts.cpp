@@ -14,7 +14,6 @@ namespace {
 
 using namespace internal;
 
-constexpr Colour ink{58, 56, 62};
 constexpr Colour grid{226, 226, 230};
 constexpr Colour paper{255, 255, 255};
 

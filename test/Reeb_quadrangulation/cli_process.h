@@ -39,6 +39,10 @@ struct Limits {
   double interrupt_after = -1;  ///< seconds until SIGINT is sent; negative: never
 };
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 inline void become_program(const std::vector<std::string>& arguments, const std::string& out,
                            const std::string& err, const Limits& limits) {
   dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);

@@ -57,6 +57,20 @@ inline Surface_point at(double x, double y, double z) {
   return {Point(x, y, z), -1};
 }
 
+inline std::vector<Point> points_of(const Editor& editor, int contour) {
+  std::vector<Point> points;
+  const Contour_network& network = editor.design().network;
+  for (int v : network.edges[std::size_t(contour)].vertices)
+    points.push_back(network.position(editor.working_surface(), v));
+  return points;
+}
+
+inline double length(const std::vector<Point>& points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
+  return sum;
+}
+
 inline Edit extrema(const Point& minimum, const std::vector<Point>& maxima) {
   Set_extrema edit;
   edit.extrema.push_back({{minimum, -1}, false, -1});

@@ -4,6 +4,10 @@
 #ifndef REEBQUAD_TEST_STUDIO_CLIENT_H
 #define REEBQUAD_TEST_STUDIO_CLIENT_H
 
+#include "tiny_surfaces.h"
+
+#include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -246,5 +250,13 @@ private:
 
   Raw_socket m_socket;
 };
+
+/// The bytes of an OFF file.
+inline std::string torus_file() {
+  using namespace CGAL::Reeb_quadrangulation;
+  const auto encoded = encode_mesh(polygon_soup(tiny::torus(24, 12)), Mesh_format::off);
+  REQUIRE(encoded);
+  return encoded->bytes;
+}
 
 #endif // REEBQUAD_TEST_STUDIO_CLIENT_H

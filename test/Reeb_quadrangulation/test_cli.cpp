@@ -37,10 +37,6 @@ std::string random_bytes(std::size_t size) {
   return bytes;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 constexpr Limits hostile{10, 400, -1};
 
 } // namespace

@@ -48,10 +48,6 @@ std::string transformed(const std::string& obj, const std::array<double, 3>& sca
   return out.str();
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A torus and a sphere of the same radius, whose centre is `shift` away along x.
 std::string torus_and_sphere(double shift) {
   const Shape torus("torus", 1500), sphere("sphere", 1500);

@@ -34,10 +34,6 @@ struct Files {
   }
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("without edits the patches are counted") {

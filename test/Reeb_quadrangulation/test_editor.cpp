@@ -11,20 +11,6 @@ using namespace sessions;
 
 namespace {
 
-std::vector<Point> points_of(const Editor& editor, int contour) {
-  std::vector<Point> points;
-  const Contour_network& network = editor.design().network;
-  for (int v : network.edges[contour].vertices)
-    points.push_back(network.position(editor.working_surface(), v));
-  return points;
-}
-
-double length(const std::vector<Point>& points) {
-  double sum = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
-  return sum;
-}
-
 double longest_edge(const Triangle_surface& s) {
   double longest = 0;
   for (int h = 0; h < s.number_of_halfedges(); ++h)

@@ -17,20 +17,6 @@ namespace {
 using Histogram = std::map<int, int>;
 constexpr double pi = 3.14159265358979323846;
 
-std::vector<Point> points_of(const Editor& editor, int contour) {
-  std::vector<Point> points;
-  const Contour_network& network = editor.design().network;
-  for (int v : network.edges[std::size_t(contour)].vertices)
-    points.push_back(network.position(editor.working_surface(), v));
-  return points;
-}
-
-double length(const std::vector<Point>& points) {
-  double sum = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
-  return sum;
-}
-
 // The loops at a node.
 std::vector<int> loops_at(const Editor& editor, const Point& node) {
   std::vector<int> loops;

@@ -28,10 +28,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A folder of this process that vanishes with the test.
-struct Scratch_folder {
+struct Empty_folder {
   fs::path path = fs::absolute("test_io_write_scratch_" + std::to_string(::getpid()));
-  Scratch_folder() { fs::create_directory(path); }
-  ~Scratch_folder() { fs::remove_all(path); }
+  Empty_folder() { fs::create_directory(path); }
+  ~Empty_folder() { fs::remove_all(path); }
   std::string operator/(const std::string& name) const { return (path / name).string(); }
   std::size_t number_of_files() const {
     return std::size_t(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
@@ -181,7 +181,7 @@ TEST_CASE("coordinates that a format cannot hold are refused, with the point") {
 }
 
 TEST_CASE("meshes of every type are written under the format of the name or of the options") {
-  const Scratch_folder folder;
+  const Empty_folder folder;
   const Quad_mesh quads{samples::cube().points,
                         {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   REQUIRE(write_mesh(folder / "quads.obj", quads));
@@ -204,7 +204,7 @@ TEST_CASE("meshes of every type are written under the format of the name or of t
 }
 
 TEST_CASE("a file that cannot be written leaves the old one and nothing else") {
-  const Scratch_folder folder;
+  const Empty_folder folder;
   const std::string path = folder / "a.off";
   REQUIRE(write_file_atomically(path, "old"));
   // The system refuses to let a file grow beyond 1000 bytes, as a full disk would.
@@ -224,7 +224,7 @@ TEST_CASE("a file that cannot be written leaves the old one and nothing else") {
 }
 
 TEST_CASE("a new file replaces the old one, keeps its permissions and goes through a link") {
-  const Scratch_folder folder;
+  const Empty_folder folder;
   const std::string path = folder / "a.off", link = folder / "link.off";
   REQUIRE(write_file_atomically(path, "old"));
   REQUIRE(::chmod(path.c_str(), 0640) == 0);
@@ -239,7 +239,7 @@ TEST_CASE("a new file replaces the old one, keeps its permissions and goes throu
 }
 
 TEST_CASE("folders, devices and missing folders cannot be written") {
-  const Scratch_folder folder;
+  const Empty_folder folder;
   for (const auto& [path, says] :
        {std::pair(folder.path.string(), "folder"), std::pair(std::string("/dev/null"), "regular"),
         std::pair(folder / "missing/a.off", "No such file"), std::pair(std::string(), "No such file")}) {
@@ -253,7 +253,7 @@ TEST_CASE("folders, devices and missing folders cannot be written") {
 }
 
 TEST_CASE("a name as long as names can be, and one in the current folder, are written") {
-  const Scratch_folder folder;
+  const Empty_folder folder;
   REQUIRE(write_file_atomically(folder / std::string(255, 'n'), "x"));
   const fs::path before = fs::current_path();
   fs::current_path(folder.path);

@@ -23,7 +23,7 @@ Point folded(int n, double x, double y) {
   return Point(x - over, y, -over);
 }
 
-Triangle_surface folded_square(int n) {
+Triangle_surface folded_sheet(int n) {
   Triangle_surface s;
   for (int y = 0; y <= n; ++y)
     for (int x = 0; x <= n; ++x) s.points.push_back(folded(n, x, y));
@@ -60,7 +60,7 @@ Kept_chain kept(const Quad_mesh& mesh, const Triangle_surface& surface) {
 
 TEST_CASE("a chain is on edges of quads, near them or lost, and these are its length") {
   const int n = 8;
-  const Triangle_surface surface = folded_square(n);
+  const Triangle_surface surface = folded_sheet(n);
   const Kept_chain on = kept(grid(n, [](int) { return 0.0; }), surface);
   CHECK(on.length == Approx(n));
   CHECK(on.on == Approx(n));
@@ -78,7 +78,7 @@ TEST_CASE("a chain is on edges of quads, near them or lost, and these are its le
 
 TEST_CASE("the place of the longest stretch that is missed is its middle") {
   const int n = 8;
-  const Triangle_surface surface = folded_square(n);
+  const Triangle_surface surface = folded_sheet(n);
   const Kept_chain chain = kept(grid(n, [](int y) { return y < 4 ? 0.0 : 0.3; }), surface);
   CHECK(chain.on == Approx(3).margin(0.3));
   CHECK(chain.missed == Approx(5).margin(0.3));
@@ -119,7 +119,7 @@ TEST_CASE("bad quads are blamed on the nearest chain, and the costliest chains c
 
 TEST_CASE("a line that is laid first takes its ends to the corners, and they are held there") {
   const int n = 10;
-  Triangle_surface surface = folded_square(n);
+  Triangle_surface surface = folded_sheet(n);
   // Of the fold, only a part inside is a feature.
   std::vector<char> sharp(std::size_t(surface.number_of_halfedges()), 0);
   for (int h = 0; h < surface.number_of_halfedges(); ++h) {

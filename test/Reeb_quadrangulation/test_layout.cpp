@@ -17,8 +17,8 @@ struct Named_layout {
   Reeb_layout layout;
 };
 
-Named_layout named(const std::string& name, Triangle_surface s, std::vector<int> minima,
-                   std::vector<int> maxima, std::vector<bool> loops = {}) {
+Named_layout named_layout(const std::string& name, Triangle_surface s, std::vector<int> minima,
+                          std::vector<int> maxima, std::vector<bool> loops = {}) {
   const Designed_field field = stages::harmonic(s, std::move(minima), std::move(maxima),
                                                 Weight_kind::clamped_cotangent, std::move(loops));
   Result<Reeb_layout> layout = make_layout(s, field);
@@ -30,20 +30,20 @@ Named_layout named(const std::string& name, Triangle_surface s, std::vector<int>
 const std::vector<Named_layout>& layouts() {
   static const std::vector<Named_layout> all = [] {
     std::vector<Named_layout> l;
-    l.push_back(named("tetrahedron", tiny::tetrahedron(), {0}, {1}));
-    l.push_back(named("octahedron", tiny::octahedron(), {0, 1}, {2, 3}));
-    l.push_back(named("cube", tiny::cube(), {0}, {6, 7}));
-    l.push_back(named("smallest torus", tiny::torus(3, 3), {0}, {4}));
-    l.push_back(named("twisted torus", tiny::torus(3, 4, 0.4, 1), {0, 1}, {6}));
-    l.push_back(named("torus", tiny::torus(12, 9), {0}, {58}));
-    l.push_back(named("double torus", tiny::double_torus(3, 3), {0}, {14}));
-    l.push_back(named("larger double torus", tiny::double_torus(8, 6), {21}, {70, 80}));
-    l.push_back(
-        named("figure of boxes", tiny::subdivided(tiny::boxes({"#####", "#.#.#", "#####"})), {0}, {40, 41}));
-    l.push_back(named("disc", tiny::disc(7, 4), {0}, {}, {true}));
-    l.push_back(named("cylinder", tiny::open_cylinder(6, 5), {}, {}, {false, true}));
-    l.push_back(named("cylinder with extrema", tiny::open_cylinder(8, 6), {20}, {38}, {true, false}));
-    l.push_back(named("pair of pants", tiny::pair_of_pants(), {}, {}, {false, true, true}));
+    l.push_back(named_layout("tetrahedron", tiny::tetrahedron(), {0}, {1}));
+    l.push_back(named_layout("octahedron", tiny::octahedron(), {0, 1}, {2, 3}));
+    l.push_back(named_layout("cube", tiny::cube(), {0}, {6, 7}));
+    l.push_back(named_layout("smallest torus", tiny::torus(3, 3), {0}, {4}));
+    l.push_back(named_layout("twisted torus", tiny::torus(3, 4, 0.4, 1), {0, 1}, {6}));
+    l.push_back(named_layout("torus", tiny::torus(12, 9), {0}, {58}));
+    l.push_back(named_layout("double torus", tiny::double_torus(3, 3), {0}, {14}));
+    l.push_back(named_layout("larger double torus", tiny::double_torus(8, 6), {21}, {70, 80}));
+    l.push_back(named_layout("figure of boxes", tiny::subdivided(tiny::boxes({"#####", "#.#.#", "#####"})),
+                             {0}, {40, 41}));
+    l.push_back(named_layout("disc", tiny::disc(7, 4), {0}, {}, {true}));
+    l.push_back(named_layout("cylinder", tiny::open_cylinder(6, 5), {}, {}, {false, true}));
+    l.push_back(named_layout("cylinder with extrema", tiny::open_cylinder(8, 6), {20}, {38}, {true, false}));
+    l.push_back(named_layout("pair of pants", tiny::pair_of_pants(), {}, {}, {false, true, true}));
     return l;
   }();
   return all;
@@ -340,10 +340,10 @@ TEST_CASE("a contour that crosses another one along an edge of the surface canno
 TEST_CASE("an extremum that the field does not have is reported as lost") {
   // Two minima of equal value that are neighbours: the second is no minimum in any order.
   const Triangle_surface s = tiny::torus(8, 7);
-  const Named_layout l = named("adjacent minima", s, {0, s.target(s.outgoing[0])}, {30});
+  const Named_layout l = named_layout("adjacent minima", s, {0, s.target(s.outgoing[0])}, {30});
   CHECK(l.layout.lost_extrema.size() == 1);
   CHECK(l.layout.critical.minima.size() == 1);
-  CHECK(named("one minimum", s, {0}, {30}).layout.lost_extrema.empty());
+  CHECK(named_layout("one minimum", s, {0}, {30}).layout.lost_extrema.empty());
 }
 
 TEST_CASE("a noisy field is cleaned before it is cut") {

@@ -16,7 +16,7 @@ using Kind = Sampling_chart::Kind;
 namespace {
 
 // splitmix64: a fixed algorithm, so that every platform has the same layouts.
-struct Random {
+struct Dice {
   std::uint64_t state;
   std::uint64_t next() {
     std::uint64_t z = (state += 0x9e3779b97f4a7c15ull);
@@ -100,7 +100,7 @@ private:
     problem.charts[d].high = {b};
     open_chart({a, b});
   }
-  Random m_random;
+  Dice m_random;
   std::vector<int> m_open;
 };
 
@@ -243,7 +243,7 @@ TEST_CASE("counts have lower bounds and annuli two rows, however long the quads 
 TEST_CASE("random layouts always have a sampling, exact at every chart") {
   for (int seed = 0; seed < 300; ++seed) {
     const Random_layout layout(seed, 1 + seed % 40, 1 + seed % 6);
-    Random random{std::uint64_t(1000 + seed)};
+    Dice random{std::uint64_t(1000 + seed)};
     const auto s = sample_layout(layout.problem, random.spread(0.01, 30));
     REQUIRE(bool(s));
     require_valid(layout.problem, *s);
@@ -253,7 +253,7 @@ TEST_CASE("random layouts always have a sampling, exact at every chart") {
 TEST_CASE("on tiny layouts no counts are better") {
   for (int seed = 0; seed < 60; ++seed) {
     const Random_layout layout(seed, 1, 2);
-    Random random{std::uint64_t(seed)};
+    Dice random{std::uint64_t(seed)};
     const double h = random.spread(0.4, 2);
     if (layout.problem.edges.size() > 6) continue;
     const auto s = sample_layout(layout.problem, h);

@@ -46,7 +46,7 @@ double irregular_fraction(const Triangle_surface& s) {
          double(valence.size());
 }
 
-double smallest_angle(const Triangle_surface& s) {
+double least_angle(const Triangle_surface& s) {
   double least = pi;
   for (const Triangle& t : s.triangles)
     for (int i = 0; i < 3; ++i) {
@@ -90,7 +90,7 @@ TEST_CASE(
     if (name == "tetrahedron" || name == "octahedron") continue;
     CHECK(s.number_of_faces() == Approx(3000).epsilon(0.15));
     CHECK(irregular_fraction(s) > 0.2);
-    CHECK(smallest_angle(s) > 10);
+    CHECK(least_angle(s) > 10);
   }
 }
 

@@ -15,16 +15,6 @@ using namespace CGAL::Reeb_quadrangulation;
 using reebquad::studio::Limits;
 using reebquad::studio::Server;
 
-namespace {
-
-std::string torus_file() {
-  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(tiny::torus(24, 12)), Mesh_format::off);
-  REQUIRE(encoded);
-  return encoded->bytes;
-}
-
-} // namespace
-
 TEST_CASE("exactly the right host, origin and secret together open a socket") {
   const Temporary_folder folder;
   const Server server(folder.path(""), 0);

@@ -280,7 +280,7 @@ TEST_CASE("a damaged or foreign session file is as none, stays as it is, and a c
     place.write(name, bad);
     CHECK(!store.load());
     CHECK(store.unreadable() == std::vector<std::string>{name});
-    const Result<std::string> kept = store.set_aside(session.digest);
+    const CGAL::Reeb_quadrangulation::Result<std::string> kept = store.set_aside(session.digest);
     REQUIRE(kept);
     CHECK(contents(place.path(*kept)) == bad);
     REQUIRE(store.save(session));

@@ -78,12 +78,6 @@ private:
   pid_t m_process; ///< 0 when it has ended
 };
 
-std::string torus_file() {
-  Result<Encoded_mesh> encoded = encode_mesh(polygon_soup(tiny::torus(24, 12)), Mesh_format::off);
-  REQUIRE(encoded);
-  return encoded->bytes;
-}
-
 /// False also for a process that has ended but that nobody has asked for its exit code.
 bool is_running(pid_t process) {
   const std::string stat = contents("/proc/" + std::to_string(process) + "/stat");

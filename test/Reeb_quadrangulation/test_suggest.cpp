@@ -45,7 +45,7 @@ Triangle_surface moved(Triangle_surface s, const Eigen::Affine3d& motion) {
   return s;
 }
 
-Triangle_surface shape(const std::string& name, int triangles = 6000) {
+Triangle_surface made_shape(const std::string& name, int triangles = 6000) {
   auto result = make_shape(name, triangles);
   REQUIRE(bool(result));
   return *result;
@@ -179,7 +179,7 @@ TEST_CASE("the chosen places do not depend on where the surface lies in space") 
 }
 
 TEST_CASE("an ellipsoid gets its two ends, the lower a minimum and the upper a maximum") {
-  const Triangle_surface s = shape("ellipsoid");
+  const Triangle_surface s = made_shape("ellipsoid");
   const Suggestion found = suggest(s);
   REQUIRE(found.extrema.size() == 2);
   for (const auto& e : found.extrema) CHECK(s.points[e.vertex].z() * (e.is_maximum ? 1 : -1) > 1.97);
@@ -187,7 +187,7 @@ TEST_CASE("an ellipsoid gets its two ends, the lower a minimum and the upper a m
 
 TEST_CASE("a hand gets five fingertips and the wrist's end, at every resolution") {
   for (int triangles : {1500, 8000, 60000}) {
-    const Triangle_surface s = shape("hand", triangles);
+    const Triangle_surface s = made_shape("hand", triangles);
     const Suggestion found = suggest(s);
     const Counts n = count(found);
     CHECK(n.maxima == 5);
@@ -199,7 +199,7 @@ TEST_CASE("a hand gets five fingertips and the wrist's end, at every resolution"
 
 TEST_CASE("round shapes get one minimum and one maximum, far apart") {
   for (const char* name : {"sphere", "torus"}) {
-    const Triangle_surface s = shape(name);
+    const Triangle_surface s = made_shape(name);
     const Suggestion found = suggest(s);
     REQUIRE(found.extrema.size() == 2);
     const Counts n = count(found);
@@ -210,7 +210,7 @@ TEST_CASE("round shapes get one minimum and one maximum, far apart") {
 
 TEST_CASE("a smaller persistence only adds extrema") {
   for (const char* name : {"hand", "genus-5", "l-shape", "cube"}) {
-    const Triangle_surface s = shape(name);
+    const Triangle_surface s = made_shape(name);
     std::set<int> larger;
     for (double p : {0.9, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
       Suggestion_options options;
@@ -228,7 +228,7 @@ TEST_CASE("a smaller persistence only adds extrema") {
 
 TEST_CASE("boundary loops keep extrema at a distance") {
   // The hand cut open at the wrist: the opening is a constraint of its own, the fingertips stay.
-  Triangle_surface s = shape("hand", 8000);
+  Triangle_surface s = made_shape("hand", 8000);
   const Triangle_surface whole = s;
   s.triangles.clear();
   for (const Triangle& t : whole.triangles)
@@ -247,7 +247,7 @@ TEST_CASE("boundary loops keep extrema at a distance") {
 }
 
 TEST_CASE("a coarse mesh of a solid gets extrema that are not adjacent") {
-  const Triangle_surface s = shape("cube", 400);
+  const Triangle_surface s = made_shape("cube", 400);
   const std::vector<int> v = vertices(suggest(s));
   for (int h = 0; h < s.number_of_halfedges(); ++h)
     CHECK_FALSE((std::count(v.begin(), v.end(), s.source(h)) && std::count(v.begin(), v.end(), s.target(h))));

@@ -74,8 +74,8 @@ private:
     const auto [quads, quad_area] = volume(m_mesh.points, m_split.triangles, m_topology.component, c);
     const auto [input, area] =
         volume(m_input.points(), m_input.triangles, m_input.topology.component, m_source[c]);
-    const double rounding = 1e-14 * m_box.diagonal().norm() * std::max(quad_area, area);
-    if (!(std::abs(quads) > rounding && std::abs(input) > rounding)) return;
+    const double least = 1e-14 * m_box.diagonal().norm() * std::max(quad_area, area);
+    if (!(std::abs(quads) > least && std::abs(input) > least)) return;
     facing.is_known = true;
     facing.is_turned = (quads > 0) != (input > 0);
   }

@@ -11,18 +11,18 @@ namespace Reeb_quadrangulation {
 namespace {
 
 // Three digits: small parts of a whole must not look like nothing.
-std::string number(double x) {
+std::string three_digits(double x) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.3g", x);
   return buffer;
 }
 
 std::string percent(double fraction) {
-  return number(100 * fraction) + " %";
+  return three_digits(100 * fraction) + " %";
 }
 
 std::string place(const Point& p) {
-  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+  return "(" + three_digits(p.x()) + ", " + three_digits(p.y()) + ", " + three_digits(p.z()) + ")";
 }
 
 std::string distance_text(const Shape_kept& shape) {

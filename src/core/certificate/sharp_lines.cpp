@@ -16,14 +16,14 @@ double cosine_of(double degrees) {
 }
 
 // A side of a triangle, filed under its smaller vertex.
-struct Side {
+struct Filed_side {
   int other;
   int triangle;
   bool downwards; // it runs from the greater vertex to the smaller
 };
 
 // The sides in the order of their smaller vertices, and where those of each begin.
-std::pair<std::vector<Side>, std::vector<int>> sides_by_vertex(const Input_surface& input) {
+std::pair<std::vector<Filed_side>, std::vector<int>> sides_by_vertex(const Input_surface& input) {
   const int n = int(input.triangles.size());
   std::vector<int> begin(input.points().size() + 1, 0);
   const auto corner = [&](int t, int i) { return input.triangles[t][i % 3]; };
@@ -31,7 +31,7 @@ std::pair<std::vector<Side>, std::vector<int>> sides_by_vertex(const Input_surfa
     for (int i = 0; i < 3; ++i) ++begin[std::min(corner(t, i), corner(t, i + 1)) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<int> end(begin.begin(), begin.end() - 1);
-  std::vector<Side> sides(3 * std::size_t(n));
+  std::vector<Filed_side> sides(3 * std::size_t(n));
   for (int t = 0; t < n; ++t)
     for (int i = 0; i < 3; ++i) {
       const int v = corner(t, i), w = corner(t, i + 1);
@@ -94,7 +94,7 @@ std::vector<std::pair<int, int>> sharp_edges(const Input_surface& input, double 
   std::vector<std::pair<int, int>> sharp;
   for (int v = 0; v < int(points.size()); ++v) {
     std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1],
-              [](const Side& a, const Side& b) { return a.other < b.other; });
+              [](const Filed_side& a, const Filed_side& b) { return a.other < b.other; });
     for (int i = begin[v], j = i; i < begin[v + 1]; i = j) {
       while (j < begin[v + 1] && sides[j].other == sides[i].other) ++j;
       if (j != i + 2) continue;

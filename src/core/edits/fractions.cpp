@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/pi.h"
 #include "contours/plane_path.h"
 #include "edits/steps.h"
 
@@ -131,13 +132,6 @@ private:
   std::shared_ptr<const Chart> m_chart;
   Chart_parameterization m_map;
 };
-
-// a ends where b begins.
-Contour_edge joined(Contour_edge a, const Contour_edge& b) {
-  a.vertices.insert(a.vertices.end(), b.vertices.begin() + 1, b.vertices.end());
-  a.faces.insert(a.faces.end(), b.faces.begin(), b.faces.end());
-  return a;
-}
 
 double usual_size(const Draft& draft, double asked) {
   return asked > 0 ? asked : draft.edge_length;
@@ -486,7 +480,7 @@ Result<Chart_parameterization> round_map(const Draft& draft, const Chart& disc) 
                     (disc.mesh.points[walk[(i + 1) % walk.size()]] - disc.mesh.points[walk[i]]).norm());
   const bool clockwise = disc.walks[0].side == Side::high;
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const double angle = 2 * 3.14159265358979323846 * along[i] / along.back();
+    const double angle = 2 * pi * along[i] / along.back();
     x.push_back(std::cos(angle));
     y.push_back(clockwise ? -std::sin(angle) : std::sin(angle));
   }

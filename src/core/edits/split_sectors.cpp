@@ -70,13 +70,6 @@ struct Trim {
   bool keeps_the_rest = false; // another edge uses what is cut off
 };
 
-// a ends where b begins.
-Contour_edge joined(Contour_edge a, const Contour_edge& b) {
-  a.vertices.insert(a.vertices.end(), b.vertices.begin() + 1, b.vertices.end());
-  a.faces.insert(a.faces.end(), b.faces.begin(), b.faces.end());
-  return a;
-}
-
 class Saddle_surgery {
 public:
   Saddle_surgery(Draft& draft, int node, double size) : m_draft(draft), m_node(node), m_size(size) {}
@@ -457,6 +450,12 @@ Result<void> split_all(Draft& draft, int node, Saddle_kind kind, double size,
 }
 
 } // namespace
+
+Contour_edge joined(Contour_edge a, const Contour_edge& b) {
+  a.vertices.insert(a.vertices.end(), b.vertices.begin() + 1, b.vertices.end());
+  a.faces.insert(a.faces.end(), b.faces.begin(), b.faces.end());
+  return a;
+}
 
 Result<void> split_saddle_by_sectors(Draft& draft, int node, const Split_saddle& edit) {
   draft.has_pushed_contours = true;

@@ -54,6 +54,9 @@ Result<Design> with_texture(const Draft& draft, const Fit_texture& edit);
 /// \name Parts of edits
 /// @{
 
+/// One contour edge of two: a ends where b begins.
+Contour_edge joined(Contour_edge a, const Contour_edge& b);
+
 /// Designs some charts, which form one region around the vertex `inside`, anew with the extrema that lie in
 /// it; the contours around the region stay. With `added`, that extremum gets the value at `strength` of the
 /// way to where it breaks something.

@@ -21,7 +21,7 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-constexpr const char* prefix = ".writing-"; // of temporary files
+constexpr const char* temporary_prefix = ".writing-";
 constexpr std::time_t long_ago = 60; // seconds: nobody needs that long between making and locking a file
 
 std::string folder_of(const std::string& path) {
@@ -116,7 +116,7 @@ private:
   // It does not grow with the final name, which may be as long as names can be.
   std::string next_name() const {
     static std::atomic<unsigned> counter{0};
-    return m_folder + "/" + prefix + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+    return m_folder + "/" + temporary_prefix + std::to_string(::getpid()) + "-" + std::to_string(counter++);
   }
 
   std::string m_folder, m_name;
@@ -137,7 +137,7 @@ void tidy(const std::string& folder) {
   if (!entries) return;
   while (const dirent* entry = ::readdir(entries.get())) {
     const std::string name = entry->d_name;
-    if (name.rfind(prefix, 0) != 0) continue;
+    if (name.rfind(temporary_prefix, 0) != 0) continue;
     const std::string path = folder + "/" + name;
     if (was_left_behind(path)) ::unlink(path.c_str());
   }

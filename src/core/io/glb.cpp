@@ -16,7 +16,7 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered_json = nlohmann::ordered_json;
 
 constexpr int component_float = 5126, component_unsigned_int = 5125;
 constexpr int target_array = 34962, target_element_array = 34963;
@@ -80,7 +80,7 @@ Split_mesh split(const Polygon_soup& mesh, const Mesh_attributes& attributes) {
 
 /// The JSON of the file and its bytes, which it describes.
 struct Glb_writer {
-  Json json;
+  Ordered_json json;
   std::string binary;
 
   /// Adds a view of the bytes from `begin` on and an accessor of it; its number.
@@ -104,7 +104,7 @@ struct Glb_writer {
 };
 
 /// The least and the greatest coordinates, as glTF asks for them.
-void add_bounds(const Polygon_soup& mesh, const std::vector<int>& point, Json& accessor) {
+void add_bounds(const Polygon_soup& mesh, const std::vector<int>& point, Ordered_json& accessor) {
   std::array<double, 3> low{}, high{};
   for (std::size_t i = 0; i < point.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -116,9 +116,9 @@ void add_bounds(const Polygon_soup& mesh, const std::vector<int>& point, Json& a
   accessor["max"] = high;
 }
 
-void add_parts(const Split_mesh& mesh, const Face_labels* materials, const Json& attributes,
+void add_parts(const Split_mesh& mesh, const Face_labels* materials, const Ordered_json& attributes,
                Glb_writer& out) {
-  Json primitives = Json::array();
+  Ordered_json primitives = Ordered_json::array();
   for (const auto& [material, triangles] : mesh.parts) {
     const std::size_t begin = out.binary.size();
     for (const Triangle& t : triangles)
@@ -131,7 +131,7 @@ void add_parts(const Split_mesh& mesh, const Face_labels* materials, const Json&
     const std::string& name = materials->names[std::size_t(material)];
     out.json["materials"].push_back({{"name", name}});
   }
-  out.json["meshes"] = Json::array({{{"primitives", primitives}}});
+  out.json["meshes"] = Ordered_json::array({{{"primitives", primitives}}});
 }
 
 Glb_writer described(const Polygon_soup& mesh, const Mesh_attributes& attributes) {
@@ -141,11 +141,11 @@ Glb_writer described(const Polygon_soup& mesh, const Mesh_attributes& attributes
   // glTF has no empty accessors: an empty mesh is an asset without a scene.
   if (parts.parts.empty()) return out;
   out.json["scene"] = 0;
-  out.json["scenes"] = Json::array({{{"nodes", {0}}}});
-  out.json["nodes"] = Json::array({{{"mesh", 0}}});
+  out.json["scenes"] = Ordered_json::array({{{"nodes", {0}}}});
+  out.json["nodes"] = Ordered_json::array({{{"mesh", 0}}});
   const std::size_t n = parts.point.size();
   const auto point = [&](std::size_t i) { return std::size_t(parts.point[i]); };
-  Json given;
+  Ordered_json given;
   given["POSITION"] = out.add_points(3, n, [&](std::size_t i, int k) { return mesh.points[point(i)][k]; });
   add_bounds(mesh, parts.point, out.json["accessors"][0]);
   if (!attributes.uv.empty()) // v goes down there
@@ -156,7 +156,7 @@ Glb_writer described(const Polygon_soup& mesh, const Mesh_attributes& attributes
       return linear(std::clamp(attributes.colours[point(i)][k], 0.0, 1.0));
     });
   add_parts(parts, labels_of(attributes, "material"), given, out);
-  out.json["buffers"] = Json::array({{{"byteLength", out.binary.size()}}});
+  out.json["buffers"] = Ordered_json::array({{{"byteLength", out.binary.size()}}});
   return out;
 }
 
@@ -165,7 +165,7 @@ Glb_writer described(const Polygon_soup& mesh, const Mesh_attributes& attributes
 std::string encode_glb(const Polygon_soup& mesh, const Mesh_attributes& attributes) {
   const Glb_writer written = described(mesh, attributes);
   const std::string& binary = written.binary;
-  std::string json = written.json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string json = written.json.dump(-1, ' ', false, Ordered_json::error_handler_t::replace);
   json.append((4 - json.size() % 4) % 4, ' ');
   const std::size_t size = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
   std::string out = "glTF";

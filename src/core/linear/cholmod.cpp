@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 
+#include "linear/smallest_pivot.h"
+
 #include <CGAL/assertions.h>
 
 #include <cholmod.h>
@@ -15,7 +17,7 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-constexpr double smallest_pivot_ratio = 1e-13; // as in Multifrontal_solver
+using internal::smallest_pivot_ratio;
 
 // The squared diagonal of a supernodal factor L L', in the factor's order.
 std::vector<double> pivots(const cholmod_factor& l) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
 
+#include "linear/smallest_pivot.h"
+
 #include <CGAL/assertions.h>
 
 #include <Eigen/SparseCholesky>
@@ -13,7 +15,7 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-constexpr double smallest_pivot_ratio = 1e-13; // as in Multifrontal_solver
+using internal::smallest_pivot_ratio;
 
 Eigen::Map<const Eigen::SparseMatrix<double>> lower_triangle(const Symmetric_matrix& m) {
   return {m.size, m.size, Eigen::Index(m.row.size()), m.column_begin.data(), m.row.data(), m.value.data()};

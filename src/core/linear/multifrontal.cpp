@@ -3,6 +3,7 @@
 
 #include "base/parallel_for.h"
 #include "linear/kernels.h"
+#include "linear/smallest_pivot.h"
 #include "linear/symbolic.h"
 
 #include <CGAL/assertions.h>
@@ -20,9 +21,7 @@ namespace {
 using internal::Assembly_tree;
 using internal::Dense_kernels;
 using internal::Front;
-
-// A pivot this small against the diagonal entry it was is what rounding leaves of zero.
-constexpr double smallest_pivot_ratio = 1e-13;
+using internal::smallest_pivot_ratio;
 
 // Numbers without initial values: a vector would write them once for nothing.
 class Numbers {

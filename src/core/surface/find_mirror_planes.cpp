@@ -3,6 +3,8 @@
 
 #include <CGAL/Reeb_quadrangulation/halve_surface.h>
 
+#include "base/place.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -211,12 +213,6 @@ bool is_same(const Mirror_plane& a, const Mirror_plane& b, const Shape& shape) {
 std::string percent(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g %%", 100 * x);
-  return text;
-}
-
-std::string place(const Point& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
   return text;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/halve_surface.h>
 
+#include "base/place.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace CGAL {
@@ -13,27 +14,21 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 // Islands may have so much of the area: what noise on the plane cuts off.
 constexpr double most_islands = 1e-3;
 
-Kernel::Point_3 exact_point(const Point& p) {
-  return Kernel::Point_3(p.x(), p.y(), p.z());
+Predicates::Point_3 exact_point(const Point& p) {
+  return Predicates::Point_3(p.x(), p.y(), p.z());
 }
 
 // 1 where the normal points to, -1 on the other side, 0 on the plane.
 int side(const Mirror_plane& plane, const Point& p) {
-  const Kernel::Plane_3 direction(plane.normal.x(), plane.normal.y(), plane.normal.z(), 0);
-  const auto less = Kernel().less_signed_distance_to_plane_3_object();
+  const Predicates::Plane_3 direction(plane.normal.x(), plane.normal.y(), plane.normal.z(), 0);
+  const auto less = Predicates().less_signed_distance_to_plane_3_object();
   if (less(direction, exact_point(plane.point), exact_point(p))) return 1;
   return less(direction, exact_point(p), exact_point(plane.point)) ? -1 : 0;
-}
-
-std::string place(const Point& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
-  return text;
 }
 
 class Halver {

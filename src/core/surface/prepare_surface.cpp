@@ -2,6 +2,7 @@
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 
 #include "base/diagonal.h"
+#include "base/pi.h"
 #include "surface/Surface_editor.h"
 
 #include <CGAL/assertions.h>
@@ -19,8 +20,6 @@ namespace Reeb_quadrangulation {
 namespace {
 
 using internal::Surface_editor;
-
-const double pi = 3.14159265358979323846;
 
 // The squared cotangent of a triangle's smallest angle, infinite if it has no area. It grows as the triangle
 // gets worse, and, unlike a cosine, tells needles apart.

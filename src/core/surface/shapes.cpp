@@ -3,6 +3,7 @@
 
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 
+#include "base/pi.h"
 #include "surface/shapes_draft.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 using shapes::Draft;
 using shapes::Implicit_surface;
 
-const double pi = std::acos(-1.0);
 const int highest_genus = 12;
 
 // How to make a shape: a draft for an edge length, the exact surface, and a map that is applied at the very

@@ -20,7 +20,6 @@ using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
-constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
 constexpr std::uint64_t largest_recipe = std::uint64_t(256) << 20;
 constexpr std::size_t sessions_with_pictures = 24;
 constexpr int defects_listed_per_kind = 30;

@@ -29,7 +29,6 @@ namespace {
 constexpr int format_version = 2;
 constexpr int deepest_session = 24;
 constexpr std::uint64_t largest_session = std::uint64_t(64) << 20;
-constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
 constexpr std::size_t most_sessions = 200; // that are looked at
 constexpr std::uint64_t largest_picture = std::uint64_t(1) << 18, largest_preferences = std::uint64_t(1)
                                                                                         << 14;

@@ -5,11 +5,15 @@
 #include "session/Folder.h"
 #include "view/Json.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace reebquad {
 namespace studio {
+
+/// Files of meshes are read up to this size, in bytes.
+constexpr std::uint64_t largest_mesh = std::uint64_t(4) << 30;
 
 /// What was done to one connected component of a mesh.
 struct Saved_part {
