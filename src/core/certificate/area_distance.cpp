@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace CGAL {
@@ -65,9 +66,10 @@ public:
 private:
   bool cancelled() { return m_observer && ++m_steps % 1024 == 0 && m_observer->cancelled(); }
 
-  Place look_up(const Point& p, int hint) {
+  // A triangle that is nearer than `enough` will do. \pre `enough` is not above the maximum found so far
+  Place look_up(const Point& p, int hint, double enough = -1) {
     ++m_queries;
-    const Triangle_tree::Nearest nearest = m_to.nearest(p, hint);
+    const Triangle_tree::Nearest nearest = m_to.nearest(p, hint, enough > 0 ? enough * enough : -1);
     const Place place{p, nearest.triangle, std::sqrt(nearest.squared_distance)};
     if (place.distance > m_result.maximum || m_queries == 1) {
       m_result.maximum = place.distance;
@@ -105,7 +107,7 @@ private:
       Part part;
       for (int i = 0; i < 3; ++i) {
         Place& place = places[t[i]];
-        if (place.nearest < 0) place = look_up(m_points[t[i]], near);
+        if (place.nearest < 0) place = look_up(m_points[t[i]], near, 0.5 * m_result.maximum);
         near = place.nearest;
         part.corner[i] = place;
       }
@@ -131,7 +133,7 @@ private:
     }
     const Place &a = part.corner[longest], &b = part.corner[(longest + 1) % 3],
                 &c = part.corner[(longest + 2) % 3];
-    const Place middle = look_up(0.5 * (a.point + b.point), a.nearest);
+    const Place middle = look_up(0.5 * (a.point + b.point), a.nearest, 0.5 * m_result.maximum);
     for (const Place* end : {&a, &b}) {
       Part half;
       half.corner = {*end, middle, c};
@@ -157,39 +159,42 @@ private:
     return std::min(best, bound_by_three(c));
   }
 
-  // Where on the segment from p to q the nearest triangles of both are equally far, and how far.
+  // Where on the segment from p to q the nearest triangles of both are about equally far, and how far; how
+  // far is all that matters, and only if it is good enough: infinitely, as soon as it is clear that it is
+  // not.
   std::pair<Point, double> between(const Place& p, const Place& q) const {
+    const double enough = good_enough(), length = (q.point - p.point).norm();
     double low = 0, high = 1;
-    std::pair<Point, double> best{p.point, std::numeric_limits<double>::infinity()};
     for (int i = 0; i < 12; ++i) {
       const double t = 0.5 * (low + high);
       const Point x = p.point + t * (q.point - p.point);
       const double first = distance(x, p.nearest), second = distance(x, q.nearest);
-      if (std::max(first, second) < best.second) best = {x, std::max(first, second)};
-      if (best.second <= good_enough()) break;
+      if (std::max(first, second) <= enough) return {x, std::max(first, second)};
+      if (std::min(first, second) - 0.5 * (high - low) * length > enough) break;
       (first < second ? low : high) = t;
     }
-    return best;
+    return {p.point, infinity};
   }
 
   // p and q have the same nearest triangle: cut off the corner r.
   double bound_by_two(const Place& p, const Place& q, const Place& r) const {
-    return std::max({p.distance, q.distance, r.distance, between(p, r).second, between(q, r).second});
+    const double first = between(p, r).second;
+    if (std::isinf(first)) return infinity;
+    return std::max({p.distance, q.distance, r.distance, first, between(q, r).second});
   }
 
   // Three pieces, one at each corner, that meet at a point in the middle.
   double bound_by_three(const std::array<Place, 3>& c) const {
     double result = 0;
     Point middle = Point::Zero();
-    for (int i = 0; i < 3; ++i) {
-      const auto [point, far] = between(c[i], c[(i + 1) % 3]);
-      result = std::max({result, far, c[i].distance});
-      middle += point / 3;
-    }
+    for (const Place& place : c) middle += place.point / 3;
     for (const Place& place : c) result = std::max(result, distance(middle, place.nearest));
-    return result;
+    for (int i = 0; i < 3 && result <= good_enough(); ++i)
+      result = std::max({result, c[i].distance, between(c[i], c[(i + 1) % 3]).second});
+    return result <= good_enough() ? result : infinity;
   }
 
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Point>& m_points;
   const std::vector<Triangle>& m_triangles;
   const Triangle_tree& m_to;

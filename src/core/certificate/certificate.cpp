@@ -19,7 +19,7 @@ namespace {
 using namespace certification;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr int outward_samples = 4000; // per component: far more than a majority of the area needs
+constexpr int outward_samples = 1000; // per component: far more than a majority of the area needs
 
 std::string text(std::int64_t n) {
   return std::to_string(n);

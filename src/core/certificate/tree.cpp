@@ -11,26 +11,23 @@ namespace certification {
 
 namespace {
 
-// Spreads the lowest 21 bits of x so that two zeros follow each.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 32) & 0x001f00000000ffffull;
-  x = (x | x << 16) & 0x001f0000ff0000ffull;
-  x = (x | x << 8) & 0x100f00f00f00f00full;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
-  return (x | x << 2) & 0x1249249249249249ull;
-}
+// A triangle in the order that the tree gives them.
+struct Item {
+  Point centre; // of its box
+  int triangle;
+};
 
-// The place of p on the Morton curve through the box.
-std::uint64_t curve_place(const Point& p, const Eigen::AlignedBox3d& box) {
-  const double cells = double((1 << 21) - 1);
-  std::uint64_t place = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double extent = box.max()[i] - box.min()[i];
-    const double t = extent > 0 ? (p[i] - box.min()[i]) / extent : 0; // NaN if the extent overflows
-    const std::uint64_t cell = t >= 0 && t <= 1 ? std::uint64_t(cells * t) : 0;
-    place |= spread(cell) << i;
-  }
-  return place;
+// Halves the items at `middle` across the longer way that their centres spread.
+void halve(std::vector<Item>& items, int begin, int middle, int end) {
+  Eigen::AlignedBox3d box;
+  for (int i = begin; i < end; ++i) box.extend(items[i].centre);
+  int axis = 0;
+  (box.max() - box.min()).maxCoeff(&axis);
+  std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
+                   [axis](const Item& a, const Item& b) {
+                     return std::make_pair(a.centre[axis], a.triangle) <
+                            std::make_pair(b.centre[axis], b.triangle);
+                   });
 }
 
 double squared_segment_distance(const Point& p, const Point& a, const Point& b) {
@@ -45,19 +42,31 @@ double squared_segment_distance(const Point& p, const Point& a, const Point& b) 
 Triangle_tree::Triangle_tree(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
     : m_points(points), m_triangles(triangles), m_order(triangles.size()) {
   const int n = int(triangles.size());
-  Box all;
-  for (int t = 0; t < n; ++t) all.extend(box(t));
-  std::vector<std::pair<std::uint64_t, int>> places(n);
-  for (int t = 0; t < n; ++t) places[t] = {curve_place(box(t).center(), all), t};
-  std::sort(places.begin(), places.end());
-  for (int i = 0; i < n; ++i) m_order[i] = places[i].second;
-
+  std::vector<Item> items(triangles.size());
+  for (int t = 0; t < n; ++t) items[t] = {box(t).center(), t};
   while (m_leaves * leaf_size < n) m_leaves *= 2;
-  m_nodes.resize(2 * std::size_t(m_leaves));
+  for (int parts = 1; parts < m_leaves; parts *= 2) {
+    const int leaves = m_leaves / parts;
+    for (int first = m_leaves; first < 2 * m_leaves; first += leaves)
+      halve(items, leaf_begin(first), leaf_begin(first + leaves / 2), leaf_begin(first + leaves));
+  }
+  for (int i = 0; i < n; ++i) m_order[i] = items[i].triangle;
+
+  std::vector<Box> level(static_cast<std::size_t>(m_leaves));
   for (int node = m_leaves; node < 2 * m_leaves; ++node)
-    for (int i = leaf_begin(node); i < leaf_end(node); ++i) m_nodes[node].extend(box(m_order[i]));
-  for (int node = m_leaves - 1; node > 0; --node)
-    m_nodes[node] = m_nodes[2 * node].merged(m_nodes[2 * node + 1]);
+    for (int i = leaf_begin(node); i < leaf_end(node); ++i) level[node - m_leaves].extend(box(m_order[i]));
+  m_children.resize(std::size_t(m_leaves));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (int first = m_leaves / 2; first > 0; first /= 2) // the first node of the level above
+    for (int i = 0; i < first; ++i) {
+      for (int k = 0; k < 2; ++k)
+        for (int axis = 0; axis < 3; ++axis) {
+          const Box& child = level[2 * i + k];
+          m_children[first + i].low[axis][k] = child.isEmpty() ? infinity : child.min()[axis];
+          m_children[first + i].high[axis][k] = child.isEmpty() ? -infinity : child.max()[axis];
+        }
+      level[i] = level[2 * i].merged(level[2 * i + 1]);
+    }
 }
 
 Eigen::AlignedBox3d Triangle_tree::box(int triangle) const {
@@ -87,29 +96,30 @@ double Triangle_tree::squared_distance(const Point& query, int triangle) const {
   return least;
 }
 
-Triangle_tree::Nearest Triangle_tree::nearest(const Point& query, int hint) const {
+Triangle_tree::Nearest Triangle_tree::nearest(const Point& query, int hint, double enough) const {
   Nearest best{hint, hint >= 0 ? squared_distance(query, hint) : std::numeric_limits<double>::infinity()};
   std::array<std::pair<double, int>, 64> stack; // the tree's depth is below 32
   int top = 0;
   stack[top++] = {0.0, 1};
-  while (top > 0) {
+  while (top > 0 && !(best.squared_distance <= enough)) {
     const auto [bound, node] = stack[--top];
     if (bound > best.squared_distance) continue;
     if (node >= m_leaves) {
       for (int i = leaf_begin(node); i < leaf_end(node); ++i) {
-        const double d = squared_distance(query, m_order[i]);
+        const int t = m_order[i];
+        const double d = squared_distance(query, t);
         // Of several at the same distance (a shared vertex, an edge), the smallest index.
         if (d < best.squared_distance ||
-            (d == best.squared_distance && (best.triangle < 0 || m_order[i] < best.triangle)))
-          best = {m_order[i], d};
+            (d == best.squared_distance && (best.triangle < 0 || t < best.triangle)))
+          best = {t, d};
       }
       continue;
     }
-    for (int child : {2 * node + 1, 2 * node})
-      if (!m_nodes[child].isEmpty()) stack[top++] = {m_nodes[child].squaredExteriorDistance(query), child};
-    const bool both = top > 1 && stack[top - 1].second == 2 * node && stack[top - 2].second == 2 * node + 1;
-    if (both && stack[top - 1].first > stack[top - 2].first) // the nearer child comes first
-      std::swap(stack[top - 1], stack[top - 2]);
+    const Both distance = m_children[node].squared_distance(query);
+    const int nearer = distance[0] <= distance[1] ? 0 : 1; // it comes first
+    if (distance[1 - nearer] <= best.squared_distance)
+      stack[top++] = {distance[1 - nearer], 2 * node + 1 - nearer};
+    if (distance[nearer] <= best.squared_distance) stack[top++] = {distance[nearer], 2 * node + nearer};
   }
   // Distances that overflow compare with nothing.
   if (best.triangle < 0) best = {m_order[0], std::numeric_limits<double>::infinity()};
