@@ -496,7 +496,7 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
   return builder.finish(reused);
 }
 
-int chart_across(const Atlas& atlas, int edge, int chart) {
+int chart_across(const Atlas& atlas, Contour_id edge, Chart_index chart) {
   const std::array<int, 2> sides = atlas.charts_of_edge[edge];
   return sides[0] == chart ? sides[1] : sides[0];
 }

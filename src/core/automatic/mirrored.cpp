@@ -108,6 +108,9 @@ Result<Quadrangulation> quadrangulate_mirrored(const Triangle_surface& surface,
   if (options.given_features)
     return make_error(Error_code::impossible_request,
                       "features that are given are those of the whole surface: a mirror excludes them");
+  if (!options.field.empty())
+    return make_error(Error_code::impossible_request,
+                      "a function that is given is one of the whole surface: a mirror excludes it");
   if (surface.number_of_faces() == 0)
     return make_error(Error_code::not_a_surface, "the surface has no faces");
   Stage_recorder recorder(observer, {"mirror planes", "mirror"});
