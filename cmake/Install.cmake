@@ -23,6 +23,13 @@ install(FILES ${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfig.cmake
   ${PROJECT_BINARY_DIR}/Reeb_quadrangulationConfigVersion.cmake cmake/FindCHOLMOD.cmake
   DESTINATION ${package_dir} COMPONENT development)
 
+if(REEBQUAD_CHOLMOD)
+  set(pc_libs "-lcholmod -lamd -lsuitesparseconfig ")
+  set(pc_flags "")
+else()
+  set(pc_libs "")
+  set(pc_flags " -DREEBQUAD_WITHOUT_CHOLMOD")
+endif()
 file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(packaging/reeb_quadrangulation.pc.in ${PROJECT_BINARY_DIR}/reeb_quadrangulation.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/reeb_quadrangulation.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -8,6 +8,7 @@
 //   --certify: the quads of every accepted edit pass the certificate, or count as "not certified"
 //   globe:K: a ball of K lobes, whose maxima meet in one degenerate saddle (K = 3: a monkey saddle)
 #include "bench_tools.h"
+#include "globe.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
@@ -360,41 +361,10 @@ private:
   std::map<std::string, Tally> m_tallies;
 };
 
-// A ball with lobes around its equator; the poles are vertices, and every ring has vertices at the lobes'
-// tips.
-Triangle_surface globe(int lobes) {
-  const int around = 8 * lobes, rings = 24;
-  Triangle_surface s;
-  const auto point = [&](int ring, int i) {
-    const double theta = pi * ring / rings, phi = 2 * pi * i / around;
-    const double r = 1 + 0.5 * std::pow(std::sin(theta), 2) * std::cos(lobes * phi);
-    return Point(r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), std::cos(theta));
-  };
-  s.points.push_back(Point(0, 0, 1));
-  for (int ring = 1; ring < rings; ++ring)
-    for (int i = 0; i < around; ++i) s.points.push_back(point(ring, i));
-  s.points.push_back(Point(0, 0, -1));
-  const auto index = [&](int ring, int i) { return 1 + (ring - 1) * around + i % around; };
-  for (int i = 0; i < around; ++i) s.triangles.push_back({0, index(1, i), index(1, i + 1)});
-  for (int ring = 1; ring + 1 < rings; ++ring)
-    for (int i = 0; i < around; ++i) {
-      s.triangles.push_back({index(ring, i), index(ring + 1, i), index(ring + 1, i + 1)});
-      s.triangles.push_back({index(ring, i), index(ring + 1, i + 1), index(ring, i + 1)});
-    }
-  const int south = int(s.points.size()) - 1;
-  for (int i = 0; i < around; ++i)
-    s.triangles.push_back({index(rings - 1, i), south, index(rings - 1, i + 1)});
-  if (const Result<void> connected = s.connect(); !connected) fail(connected.error());
-  return s;
-}
-
 Edit globe_extrema(const Triangle_surface& s, int lobes) {
   Set_extrema edit;
   edit.extrema.push_back({{s.points.back(), int(s.points.size()) - 1}, false, -1});
-  for (int k = 0; k < lobes; ++k) {
-    const double phi = 2 * pi * k / lobes;
-    edit.extrema.push_back({{Point(1.5 * std::cos(phi), 1.5 * std::sin(phi), 0), -1}, true, -1});
-  }
+  for (const Point& tip : globe::tips(lobes)) edit.extrema.push_back({{tip, -1}, true, -1});
   return edit;
 }
 
@@ -402,7 +372,8 @@ Edit globe_extrema(const Triangle_surface& s, int lobes) {
 Result<std::pair<Triangle_surface, Edit>> load(const std::string& model) {
   if (model.rfind("globe:", 0) == 0) {
     const int lobes = std::max(2, std::atoi(model.c_str() + 6));
-    Triangle_surface s = globe(lobes);
+    Triangle_surface s = globe::ball(lobes);
+    if (const Result<void> connected = s.connect(); !connected) return connected.error();
     const Edit edit = globe_extrema(s, lobes);
     return std::make_pair(std::move(s), edit);
   }

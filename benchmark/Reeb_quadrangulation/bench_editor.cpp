@@ -93,7 +93,7 @@ void run_layout_edits(Editor& editor, Random_elements& random, const Run& run) {
   run("add_extremum", [&] { return Add_extremum{random.vertex(), random.below(2) == 0}; });
   const int designed = editor.position();
   for (int tries = 0; tries < 100 && editor.position() < designed + 4; ++tries) // some that can go again
-    editor.apply(Add_extremum{random.vertex(), true});
+    (void)editor.apply(Add_extremum{random.vertex(), true});
   run("remove_extremum", [&] { return Remove_extremum{random.extremum()}; });
   while (editor.position() > designed) editor.undo();
   run("move_extremum on the whole surface", [&] {

@@ -29,6 +29,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/IO/write_mesh.h>
+#include <CGAL/Reeb_quadrangulation/Index.h>
 #include <CGAL/Reeb_quadrangulation/Mirror_plane.h>
 #include <CGAL/Reeb_quadrangulation/Multifrontal_solver.h>
 #include <CGAL/Reeb_quadrangulation/Observer.h>

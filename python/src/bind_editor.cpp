@@ -5,6 +5,7 @@
 #include "bind.h"
 #include "options.h"
 
+#include "automatic/components.h"
 #include "base/parallel_for.h"
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
@@ -38,10 +39,9 @@ Result<Triangle_surface> surface_of(const Polygon_soup& soup, const Recipe& reci
   if (component == 0 && number != 1)
     return make_error(Error_code::not_a_surface, "an editor is for one connected surface, this mesh has " +
                                                      std::to_string(number) + "; component says which");
-  if (component > number)
-    return make_error(Error_code::not_a_surface, "there is no component " + std::to_string(component) +
-                                                     ", the mesh has " + std::to_string(number));
-  return std::move(mended->components[std::size_t(std::max(component, 1) - 1)].surface);
+  if (Result<void> left = internal::leave_component(*mended, std::max(component, 1), "mesh"); !left)
+    return left.error();
+  return std::move(mended->components[0].surface);
 }
 
 /// An editor, and with a mirror the surface that it works on a half of.
@@ -208,13 +208,7 @@ Result<Stitched_mesh> doubled(Session::Hold& hold, Finished_design design, Finis
   Result<Mirrored_design> both =
       mirror_design(std::move(design), *half, whole, mirror.positions, finish, &observer);
   if (!both) return both.error();
-  for (std::size_t i = 0, number = fans.size(); i < number; ++i) {
-    Pole_fan fan = fans[i];
-    fan.pole = half->plane.reflected(fan.pole);
-    for (int& v : fan.ring) v = both->image[std::size_t(v)];
-    std::reverse(fan.ring.begin(), fan.ring.end());
-    fans.push_back(std::move(fan));
-  }
+  fans = with_mirrored_fans(std::move(fans), both->image, half->plane);
   return std::move(both->whole.quads);
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "components.h"
 
+#include "automatic/components.h"
+
 #include <CGAL/Reeb_quadrangulation/given_features.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -14,23 +15,6 @@ namespace python {
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
-
-double squared_distance(const Triangle_surface& surface, const Point& point) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Point& p : surface.points) least = std::min(least, (p - point).squaredNorm());
-  return least;
-}
-
-std::size_t nearest_component(const std::vector<Mended_component>& components, const Point& point) {
-  std::size_t best = 0;
-  double best_distance = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < components.size(); ++c)
-    if (const double d = squared_distance(components[c].surface, point); d < best_distance) {
-      best = c;
-      best_distance = d;
-    }
-  return best;
-}
 
 /// Of points that are equal, the first one: mending makes one of them.
 std::vector<int> first_equal_points(const std::vector<Point>& points) {
@@ -115,21 +99,9 @@ Result<void> all_found(const std::vector<char>& found, const char* sentence, Ele
 
 std::vector<Quadrangulation_options> deal(const Quadrangulation_options& asked,
                                           const std::vector<Mended_component>& components) {
-  std::vector<Quadrangulation_options> options(components.size(), asked);
-  std::vector<double> areas;
-  double total = 0;
-  for (const Mended_component& component : components) {
-    areas.push_back(area(component.surface));
-    total += areas.back();
-  }
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    options[c].extrema.clear();
-    const double share = total > 0 ? areas[c] / total : 1.0 / double(components.size());
-    if (components.size() > 1) options[c].quads = std::max(1, int(std::lround(asked.quads * share)));
-  }
-  for (const Placed_extremum& extremum : asked.extrema)
-    options[nearest_component(components, extremum.point)].extrema.push_back(extremum);
-  return options;
+  std::vector<const Triangle_surface*> surfaces;
+  for (const Mended_component& component : components) surfaces.push_back(&component.surface);
+  return internal::options_of_components(asked, surfaces);
 }
 
 Result<void> deal_features(const Request& request, const Polygon_soup& soup,

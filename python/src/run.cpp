@@ -4,6 +4,8 @@
 #include "Mirror_output.h"
 #include "components.h"
 
+#include "automatic/components.h"
+
 #include <CGAL/Reeb_quadrangulation/Surface_projector.h>
 #include <CGAL/Reeb_quadrangulation/quad_parameters.h>
 #include <CGAL/Reeb_quadrangulation/sized_quads.h>
@@ -17,23 +19,6 @@ namespace python {
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
-
-/// Names the component in the progress of its stages, where there are several.
-class Component_observer : public Observer {
-public:
-  Component_observer(Observer& whole, std::size_t component, std::size_t components) : m_whole(whole) {
-    if (components > 1)
-      m_prefix = "component " + std::to_string(component + 1) + " of " + std::to_string(components) + ": ";
-  }
-  void progress(const std::string& stage, double fraction) override {
-    m_whole.progress(m_prefix + stage, fraction);
-  }
-  bool cancelled() const override { return m_whole.cancelled(); }
-
-private:
-  Observer& m_whole;
-  std::string m_prefix;
-};
 
 /// The weights of a triangle's corners at the point of it that is nearest.
 Point barycentrics(const Point& a, const Point& b, const Point& c, const Point& p) {
@@ -100,18 +85,13 @@ private:
   /// missed.
   Result<void> choose(Mended_surface& mended) {
     const std::size_t asked = std::size_t(m_request.options.component), number = mended.components.size();
-    if (asked > number)
-      return make_error(Error_code::not_a_surface, "there is no component " + std::to_string(asked) +
-                                                       ", the mesh has " + std::to_string(number));
+    if (Result<void> left = internal::leave_component(mended, int(asked), "mesh"); !left) return left;
     for (std::size_t c = 1; c <= number; ++c)
       if (asked == 0 || c == asked) m_outcome.component_number.push_back(number > 1 ? int(c) : 0);
     if (asked == 0) {
       run().as_read = surface_as_read(m_soup, mended);
       return {};
     }
-    std::swap(mended.components[0], mended.components[asked - 1]);
-    mended.components.resize(1);
-    mended.refused.clear();
     run().as_read = mended.components[0].surface;
     m_options = deal(m_request.options.pipeline, mended.components);
     std::vector<Quadrangulation_options> with_features = m_options;
@@ -123,7 +103,7 @@ private:
 
   Result<Quadrangulation> mesh(std::size_t c) {
     const Triangle_surface& surface = m_components[c].surface;
-    Component_observer observer(m_observer, c, m_components.size());
+    internal::Component_observer observer(m_observer, c, m_components.size());
     if (m_request.sizes.empty()) return quadrangulate(surface, m_options[c], &observer);
     const std::vector<double> sizes = sizes_of(m_request.sizes, m_soup, m_components[c]);
     const Surface_projector projector(surface);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Outputs.h"
 
+#include <CGAL/Reeb_quadrangulation/render.h>
+
 #include <filesystem>
 
 namespace reebquad {
@@ -30,6 +32,9 @@ void declare_force(Command_line& line) {
 }
 
 void keep_inputs(const Command_line& line, const Files& files) {
+  for (const char* option : {"pictures", "picture", "thumbnail"})
+    if (line.has(option) && !CGAL::Reeb_quadrangulation::can_write_png())
+      throw Usage_error(std::string("--") + option + ": this reebquad was built without libpng");
   std::vector<std::string> outputs;
   for (const std::string& output : files.outputs) {
     if (output.empty()) continue;

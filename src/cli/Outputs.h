@@ -20,7 +20,8 @@ struct Files {
 };
 
 /// Throws a usage error if an output is also an input, by whatever name or link, unless the user gave
-/// --force; and always if two outputs are the same file. To be called before anything is read.
+/// --force; and always if two outputs are the same file, or if there are pictures among them but no libpng.
+/// To be called before anything is read.
 void keep_inputs(const Command_line& line, const Files& files);
 
 } // namespace reebquad

@@ -5,6 +5,7 @@
 #include "Input.h"
 #include "Interruption.h"
 
+#include "automatic/components.h"
 #include <CGAL/Reeb_quadrangulation/IO/read_file.h>
 
 #include <algorithm>
@@ -28,10 +29,8 @@ Triangle_surface read_component(const std::string& file, const Recipe& recipe) {
     throw Failure(Exit_code::not_a_surface, file + ": a recipe is for one connected surface, this file has " +
                                                 std::to_string(number) +
                                                 "; the recipe's \"component\" says which, or --component");
-  if (std::size_t(component) > number)
-    throw Failure(Exit_code::not_a_surface, file + ": there is no component " + std::to_string(component) +
-                                                ", the file has " + std::to_string(number));
-  return std::move(mended.components[std::max(component, 1) - 1].surface);
+  succeed_or_fail(internal::leave_component(mended, std::max(component, 1), "file"), file);
+  return std::move(mended.components[0].surface);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ Solver_options solver_options(const Command_line& line) {
   if (line.has("solver")) {
     const std::string name = line.text("solver");
     Result<Linear_solver_factory> found = linear_solver_named(name);
-    if (!found) throw Usage_error("--solver is one of multifrontal, cholmod, eigen; it got '" + name + "'");
+    if (!found) throw Usage_error("--solver: " + found.error().message);
     options.solver = std::move(*found);
   }
   if (line.has("constraints")) {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/mesh_format.h>
+#include <CGAL/Reeb_quadrangulation/render.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -210,11 +211,8 @@ private:
   }
 
   Arguments arguments(const Batch_job& job) const {
-    Arguments all{"run",         job.file,
-                  "-o",          quads(job),
-                  "--report",    result(job, "report.json"),
-                  "--thumbnail", result(job, "thumbnail.png"),
-                  "--quiet"};
+    Arguments all{"run", job.file, "-o", quads(job), "--report", result(job, "report.json"), "--quiet"};
+    if (can_write_png()) all.insert(all.end(), {"--thumbnail", result(job, "thumbnail.png")});
     const bool has_threads =
         std::any_of(m_options.run.begin(), m_options.run.end(), [](const std::string& text) {
           return text == "--threads" || text.rfind("--threads=", 0) == 0;

@@ -12,6 +12,7 @@
 #include "Terminal_observer.h"
 
 #include "base/parallel_for.h"
+#include "domain/mirror_report.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/transfer_mesh_attributes.h>
 
@@ -116,20 +117,6 @@ Recipe read_recipe_until(const Replay_options& options) {
   return recipe;
 }
 
-// Of a design with a mirror, the fans of both sides.
-std::vector<Pole_fan> doubled(std::vector<Pole_fan> fans, const Mirrored_design& mirrored,
-                              const Mirror_plane& plane) {
-  const std::size_t half = fans.size();
-  for (std::size_t i = 0; i < half; ++i) {
-    Pole_fan fan = fans[i];
-    fan.pole = plane.reflected(fan.pole);
-    for (int& v : fan.ring) v = mirrored.image[std::size_t(v)];
-    std::reverse(fan.ring.begin(), fan.ring.end());
-    fans.push_back(std::move(fan));
-  }
-  return fans;
-}
-
 Design_quads finished(const Replayed_recipe& replayed, const Recipe& recipe, const std::string& input,
                       Terminal_observer& observer) {
   Finished_design design = value_or_fail(replayed.editor.finished_quads(recipe.finish, &observer), input);
@@ -141,13 +128,8 @@ Design_quads finished(const Replayed_recipe& replayed, const Recipe& recipe, con
   const Mirror mirror{replayed.half->plane, recipe.mirror->positions};
   Mirrored_design mirrored = value_or_fail(
       mirror_design(std::move(design), *replayed.half, whole, mirror.positions, finish, &observer), input);
-  fans = doubled(std::move(fans), mirrored, mirror.plane);
-  Mirror_report report{mirror,
-                       mirror_deviation(whole, mirror.plane),
-                       std::move(mirrored.image),
-                       mirrored.on_plane,
-                       mirrored.ring_quads,
-                       mirrored.largest_shift};
+  fans = with_mirrored_fans(std::move(fans), mirrored.image, mirror.plane);
+  Mirror_report report = mirror_report(mirror, mirror_deviation(whole, mirror.plane), mirrored);
   return {std::move(mirrored.whole.quads), std::move(fans), std::move(report)};
 }
 

@@ -7,6 +7,7 @@
 #include "Mirror_output.h"
 #include "Terminal_observer.h"
 
+#include "automatic/components.h"
 #include "base/stage_recorder.h"
 #include "keep_freed_memory.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
@@ -27,24 +28,6 @@ namespace reebquad {
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
-
-/// Names the component in the progress of its stages, where there are several.
-class Component_observer : public Observer {
-public:
-  Component_observer(Terminal_observer& terminal, std::size_t component, std::size_t components)
-      : m_terminal(terminal) {
-    if (components > 1)
-      m_prefix = "component " + std::to_string(component + 1) + " of " + std::to_string(components) + ": ";
-  }
-  void progress(const std::string& stage, double fraction) override {
-    m_terminal.progress(m_prefix + stage, fraction);
-  }
-  bool cancelled() const override { return m_terminal.cancelled(); }
-
-private:
-  Terminal_observer& m_terminal;
-  std::string m_prefix;
-};
 
 class Runner {
 public:
@@ -117,16 +100,9 @@ private:
   void take_component(Mended_surface& mended) {
     const std::size_t number = mended.components.size();
     m_component = number > 1 ? m_options.component : 0;
-    if (std::size_t(m_options.component) > number)
-      throw Failure(Exit_code::not_a_surface, m_options.input + ": there is no component " +
-                                                  std::to_string(m_options.component) + ", the file has " +
-                                                  std::to_string(number));
-    if (m_options.component > 0) {
-      Mended_component only = std::move(mended.components[std::size_t(m_options.component - 1)]);
-      mended.components.clear();
-      mended.components.push_back(std::move(only));
-      mended.refused.clear(); // nobody asked for them
-    } else if (number > 1 && !m_options.recipe.empty()) {
+    succeed_or_fail(internal::leave_component(mended, m_options.component, "file"), m_options.input);
+    if (m_options.component > 0) return;
+    if (number > 1 && !m_options.recipe.empty()) {
       throw Failure(Exit_code::usage, m_options.input +
                                           ": --write-recipe is for one component, this file has " +
                                           std::to_string(number) + "; --component says which");
@@ -144,46 +120,15 @@ private:
     succeed_or_fail(write_file_atomically(m_options.recipe, to_json(recipe)), m_options.recipe);
   }
 
-  /// Quads and placed extrema are dealt out to the components.
-  std::vector<Quadrangulation_options> options_of_components() const {
-    const std::size_t n = m_run.components.size();
-    std::vector<Quadrangulation_options> options(n, m_options.pipeline);
-    std::vector<double> area(n);
-    double total = 0;
-    for (std::size_t c = 0; c < n; ++c) {
-      area[c] = CGAL::Reeb_quadrangulation::area(m_run.components[c].surface);
-      total += area[c];
-      options[c].extrema.clear();
-    }
-    for (std::size_t c = 0; n > 1 && c < n; ++c) {
-      const double share = total > 0 ? area[c] / total : 1.0 / double(n);
-      options[c].quads = std::max(1, int(std::lround(m_options.pipeline.quads * share)));
-    }
-    for (const Placed_extremum& extremum : m_options.pipeline.extrema)
-      options[nearest_component(extremum.point)].extrema.push_back(extremum);
-    return options;
-  }
-
-  std::size_t nearest_component(const Point& point) const {
-    std::size_t best = 0;
-    double best_distance = -1;
-    for (std::size_t c = 0; c < m_run.components.size(); ++c)
-      for (const Point& p : m_run.components[c].surface.points) {
-        const double distance = (p - point).squaredNorm();
-        if (best_distance < 0 || distance < best_distance) {
-          best = c;
-          best_distance = distance;
-        }
-      }
-    return best;
-  }
-
   void mesh_components() {
     if (m_options.all_or_nothing && m_failure != Exit_code::success) return;
-    const std::vector<Quadrangulation_options> options = options_of_components();
+    std::vector<const Triangle_surface*> surfaces;
+    for (const Component_run& component : m_run.components) surfaces.push_back(&component.surface);
+    const std::vector<Quadrangulation_options> options =
+        internal::options_of_components(m_options.pipeline, surfaces);
     for (std::size_t c = 0; c < m_run.components.size(); ++c) {
       Component_run& component = m_run.components[c];
-      Component_observer observer(m_observer, c, m_run.components.size());
+      internal::Component_observer observer(m_observer, c, m_run.components.size());
       Result<Quadrangulation> result = quadrangulate(component.surface, options[c], &observer);
       if (!result) {
         component.error = result.error();

@@ -3,12 +3,31 @@
 
 #include <CGAL/assertions.h>
 
+#ifdef REEBQUAD_WITH_PNG
 #include <png.h>
 
 #include <stdexcept>
+#endif
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
+
+#ifndef REEBQUAD_WITH_PNG
+
+bool can_write_png() {
+  return false;
+}
+
+std::vector<unsigned char> encode_png(const Image&) {
+  return {};
+}
+
+#else
+
+bool can_write_png() {
+  return true;
+}
+
 namespace {
 
 /// The picture's bytes without opacity if all of it is opaque, else as they are.
@@ -45,6 +64,8 @@ std::vector<unsigned char> encode_png(const Image& image) {
   out.shrink_to_fit();
   return out;
 }
+
+#endif
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -P check_includes.cmake: reads every source file and fails, naming file and reason, where one breaks a house
-# rule: includes flow one way, the library neither prints nor exits, guards and licence lines are as agreed.
+# rule: includes flow one way, the library neither prints nor exits, guards and licence lines are as agreed, the reference manual's first
+# page names each public header.
 cmake_policy(SET CMP0057 NEW)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(package include/CGAL/Reeb_quadrangulation)
@@ -201,6 +202,13 @@ includes_of(include/CGAL/reeb_quadrangulation.h convenience)
 foreach(header IN LISTS library_headers)
   if(NOT header IN_LIST convenience)
     fault(include/CGAL/reeb_quadrangulation.h "does not include ${header}")
+  endif()
+endforeach()
+set(overview doc/Reeb_quadrangulation/PackageDescription.txt)
+file(READ ${root}/${overview} listed)
+foreach(header IN LISTS library_headers)
+  if(NOT listed MATCHES "[ \n]${header}[,:;\n]")
+    fault(${overview} "does not tell what ${header} is for")
   endif()
 endforeach()
 

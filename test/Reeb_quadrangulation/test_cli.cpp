@@ -96,6 +96,8 @@ TEST_CASE("every command explains itself") {
 TEST_CASE("the version tells the libraries and whether the studio has its page") {
   const std::string version = reebquad({"version"}).out;
   CHECK(contains(version, "CGAL"));
+  CHECK(contains(version, "pictures: "));
+  CHECK(contains(version, "solvers: multifrontal, "));
   const bool with_page = contains(version, "studio: with its page");
   CHECK(with_page != contains(version, "studio: without its page ("));
   if (with_page) return;

@@ -245,6 +245,40 @@ TEMPLATE_TEST_CASE("corners of quads have the parameters of their charts", "", M
   CHECK(num_vertices(other.graph) == 0);
 }
 
+TEMPLATE_TEST_CASE("quads and charts of a function of the user's own", "", Mesh, Bare) {
+  const Triangle_surface s = tiny::torus(30, 16);
+  const Pointed<TestType> mesh = pointed<TestType>(s);
+  std::map<typename boost::graph_traits<TestType>::vertex_descriptor, float> height;
+  std::map<typename boost::graph_traits<TestType>::face_descriptor, int> chart;
+  for (const auto v : vertices(mesh.graph)) {
+    const auto p = get(mesh.map(), v);
+    height[v] = float(p.x() + 0.1 * p.y() + 0.03 * p.z());
+  }
+  const auto np =
+      params::vertex_point_map(mesh.map()).vertex_field_map(boost::make_assoc_property_map(height));
+  Pointed<TestType> quads;
+  const auto result =
+      quadrangulate(mesh.graph, quads.graph, np.number_of_quads(500), params::vertex_point_map(quads.map()));
+  REQUIRE(bool(result));
+  CHECK(std::abs(double(num_faces(quads.graph)) - 500) <= 25);
+  CHECK(result->valences.at(3) == 8);
+  // What was done is a recipe that has the function.
+  const auto recipe = recipe_from_json(to_json(result->recipe));
+  REQUIRE(bool(recipe));
+  auto again = Editor::create(result->editor.input(), recipe->options);
+  REQUIRE(bool(again));
+  for (const Edit& edit : recipe->edits) REQUIRE(bool(again->apply(edit)));
+  const auto finished = again->finished_quads(recipe->finish);
+  REQUIRE(bool(finished));
+  CHECK(finished->quads.mesh.points == result->mesh.points);
+
+  const auto layout = reeb_charts(mesh.graph, boost::make_assoc_property_map(chart), np);
+  REQUIRE(bool(layout));
+  CHECK(layout->graph.loops() == 1);
+  CHECK(layout->critical.saddles.size() == 2);
+  CHECK(chart.size() == num_faces(mesh.graph));
+}
+
 TEMPLATE_TEST_CASE("an editing session begins on a graph", "", Mesh, Polyhedron, Bare) {
   const Pointed<TestType> mesh = pointed<TestType>(tiny::torus(30, 16));
   const auto np = params::vertex_point_map(mesh.map());

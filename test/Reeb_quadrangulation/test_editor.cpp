@@ -32,6 +32,40 @@ TEST_CASE("a session begins empty, and only extrema can be placed") {
   CHECK(made->position() == 1);
 }
 
+TEST_CASE("a session begins with a function of the user's own, and its recipe gives the same bytes") {
+  // So coarse that the working copy is refined: the function's extrema stay where they are.
+  const Triangle_surface s = tiny::torus(14, 8);
+  Set_field edit;
+  for (const Point& p : s.points) edit.values.push_back(p.x() + 0.1 * p.y() + 0.03 * p.z());
+  Editor_options options;
+  options.quads = 600;
+  Result<Editor> made = Editor::create(s, options);
+  REQUIRE(bool(made));
+  REQUIRE(made->working_surface().number_of_vertices() > s.number_of_vertices());
+  applied(*made, edit);
+  const auto range = std::minmax_element(edit.values.begin(), edit.values.end());
+  REQUIRE(made->design().extrema.size() == 2);
+  for (const Design_extremum& e : made->design().extrema) {
+    const auto extreme = e.is_maximum ? range.second : range.first;
+    CHECK(made->working_surface().points[std::size_t(e.vertex)] ==
+          s.points[std::size_t(extreme - edit.values.begin())]);
+    CHECK(e.value == (e.is_maximum ? 1 : 0));
+  }
+  CHECK(valences(*made) == std::map<int, int>{{3, 8}, {8, 2}});
+
+  applied(*made, Subdivide_chart{at(0, 1.4, 0)}); // further edits work on it
+  const Result<Recipe> recipe = recipe_from_json(to_json(recipe_of(*made)));
+  REQUIRE(bool(recipe));
+  Result<Editor> again = Editor::create(s, recipe->options);
+  REQUIRE(bool(again));
+  for (const Edit& each : recipe->edits) applied(*again, each);
+  CHECK(bytes_of(*again) == bytes_of(*made));
+  made->undo();
+
+  edit.values.pop_back();
+  refused(*made, edit, "the function has 111 values, the surface 112 vertices");
+}
+
 TEST_CASE("a surface of two pieces is refused") {
   Triangle_surface two = tiny::octahedron();
   const int n = int(two.points.size());

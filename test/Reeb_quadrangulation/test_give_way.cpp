@@ -2,6 +2,7 @@
 // Contours that give way, saddles that move wherever their charts are, and saddles that are split whatever
 // contours they share.
 #include "editor_sessions.h"
+#include "globe.h"
 #include "tiny_surfaces.h"
 
 #include "atlas/region_curve.h"
@@ -29,34 +30,8 @@ std::vector<int> loops_at(const Editor& editor, const Point& node) {
   return loops;
 }
 
-// A ball with lobes around its equator, maxima at their tips and one minimum: one saddle of as many loops, at
-// the north pole.
 Editor globe_session(int lobes) {
-  const int around = 8 * lobes, rings = 24;
-  Triangle_surface s;
-  s.points.push_back(Point(0, 0, 1));
-  for (int ring = 1; ring < rings; ++ring)
-    for (int i = 0; i < around; ++i) {
-      const double theta = pi * ring / rings, phi = 2 * pi * i / around;
-      const double r = 1 + 0.5 * std::pow(std::sin(theta), 2) * std::cos(lobes * phi);
-      s.points.push_back(
-          Point(r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), std::cos(theta)));
-    }
-  s.points.push_back(Point(0, 0, -1));
-  const auto index = [&](int ring, int i) { return 1 + (ring - 1) * around + i % around; };
-  for (int i = 0; i < around; ++i) s.triangles.push_back({0, index(1, i), index(1, i + 1)});
-  for (int ring = 1; ring + 1 < rings; ++ring)
-    for (int i = 0; i < around; ++i) {
-      s.triangles.push_back({index(ring, i), index(ring + 1, i), index(ring + 1, i + 1)});
-      s.triangles.push_back({index(ring, i), index(ring + 1, i + 1), index(ring, i + 1)});
-    }
-  const int south = int(s.points.size()) - 1;
-  for (int i = 0; i < around; ++i)
-    s.triangles.push_back({index(rings - 1, i), south, index(rings - 1, i + 1)});
-  std::vector<Point> tips;
-  for (int k = 0; k < lobes; ++k)
-    tips.push_back(Point(1.5 * std::cos(2 * pi * k / lobes), 1.5 * std::sin(2 * pi * k / lobes), 0));
-  return session(tiny::connected(std::move(s)), extrema({0, 0, -1}, tips), 600);
+  return session(tiny::connected(globe::ball(lobes)), extrema({0, 0, -1}, globe::tips(lobes)), 600);
 }
 
 // A tube of rings of vertices between two contours: the lower and the upper ring come first.

@@ -5,6 +5,9 @@
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <set>
 
 using namespace CGAL::Reeb_quadrangulation;
@@ -356,6 +359,101 @@ TEST_CASE("a noisy field is cleaned before it is cut") {
   CHECK(layout->cleanup_rounds > 0);
   CHECK(layout->critical.minima == field.minima);
   CHECK(layout->critical.maxima == field.maxima);
+}
+
+namespace {
+
+std::vector<double> values_on(const Triangle_surface& s,
+                              const std::function<double(const Point&)>& function) {
+  std::vector<double> values;
+  for (const Point& p : s.points) values.push_back(function(p));
+  return values;
+}
+
+} // namespace
+
+TEST_CASE("a function's own extrema and critical contours are those of its layout") {
+  const Triangle_surface s = tiny::torus(24, 12);
+  const auto height = [](const Point& p) { return 7 + 1000 * (p.x() + 0.01 * p.y() + 0.003 * p.z()); };
+  const std::vector<double> values = values_on(s, height);
+  const Result<Designed_field> field = design_function(s, values);
+  REQUIRE(bool(field));
+  CHECK(field->minima ==
+        std::vector<int>{int(std::min_element(values.begin(), values.end()) - values.begin())});
+  CHECK(field->maxima ==
+        std::vector<int>{int(std::max_element(values.begin(), values.end()) - values.begin())});
+  CHECK(field->extremal_values.at(field->minima[0]) == 0);
+  CHECK(field->extremal_values.at(field->maxima[0]) == 1);
+  const Result<Reeb_layout> layout = make_layout(s, *field);
+  REQUIRE(bool(layout));
+  CHECK(layout->cleanup_rounds == 0);
+  CHECK(layout->graph.loops() == 1);
+  REQUIRE(layout->critical.saddles.size() == 2);
+  const double low = *std::min_element(values.begin(), values.end()),
+               range = *std::max_element(values.begin(), values.end()) - low;
+  for (const Contour_edge& e : layout->network.edges)
+    for (int node : {e.from, e.to})
+      if (const Contour_node& n = layout->network.nodes[std::size_t(node)]; n.kind == Node_kind::saddle)
+        CHECK(e.value == Approx((values[std::size_t(n.vertex)] - low) / range));
+}
+
+TEST_CASE("plateaus have one extremum each, and noise below the persistence has none") {
+  const Triangle_surface s = tiny::torus(40, 20);
+  tiny::Random random(7);
+  std::vector<double> flat = values_on(s, [](const Point& p) { return std::clamp(p.x(), -1.2, 1.2); });
+  const Result<Designed_field> plateaus = design_function(s, flat);
+  REQUIRE(bool(plateaus));
+  CHECK(plateaus->minima.size() == 1);
+  CHECK(plateaus->maxima.size() == 1);
+  for (double& value : flat) value += 0.02 * random.unit();
+  const Result<Designed_field> noisy = design_function(s, flat), clean = design_function(s, flat, 0.05);
+  REQUIRE(bool(noisy));
+  REQUIRE(bool(clean));
+  CHECK(noisy->minima.size() > 1);
+  CHECK(clean->minima.size() == 1);
+  CHECK(clean->maxima.size() == 1);
+  const Result<Reeb_layout> layout = make_layout(s, *clean);
+  REQUIRE(bool(layout));
+  CHECK(layout->lost_extrema.empty());
+  CHECK(layout->critical.minima == clean->minima);
+  CHECK(layout->critical.maxima == clean->maxima);
+}
+
+TEST_CASE("boundary loops are minima and maxima of a function that is constant there, or it is refused") {
+  const Triangle_surface s = tiny::open_cylinder(12, 9);
+  const auto refused = [&](const Triangle_surface& on, std::vector<double> values, double persistence = 0) {
+    const Result<Designed_field> field = design_function(on, values, persistence);
+    REQUIRE(!field);
+    CHECK(field.error().code == Error_code::impossible_request);
+    return field.error();
+  };
+  std::vector<double> values = values_on(s, [](const Point& p) { return p.z(); });
+  const Result<Designed_field> field = design_function(s, values);
+  REQUIRE(bool(field));
+  const auto loops = boundary_loops(s);
+  const double highest = *std::max_element(values.begin(), values.end());
+  for (std::size_t i = 0; i < 2; ++i)
+    CHECK(field->boundary_is_maximum[i] == (values[std::size_t(s.source(loops[i][0]))] == highest));
+  const Result<Reeb_layout> layout = make_layout(s, *field);
+  REQUIRE(bool(layout));
+  CHECK(layout->atlas.charts.size() == 1);
+
+  const Error ends = refused(s, values_on(s, [](const Point& p) { return p.x(); }));
+  CHECK(ends.element == Element_kind::vertex);
+  CHECK(s.is_boundary(s.outgoing[std::size_t(ends.index)]));
+  // A slope across the loops, which are constant themselves.
+  for (int v = 0; v < s.number_of_vertices(); ++v)
+    values[std::size_t(v)] = s.is_boundary(s.outgoing[v]) ? 0 : s.points[std::size_t(v)].x();
+  CHECK(refused(s, values).message.find("rises and falls") != std::string::npos);
+
+  const Triangle_surface closed = tiny::octahedron();
+  refused(closed, std::vector<double>(6, 3));
+  refused(closed, std::vector<double>(5, 3));
+  refused(closed, {0, 1, 2, std::numeric_limits<double>::quiet_NaN(), 4, 5});
+  refused(closed, {0, 1, 2, 3, 4, std::numeric_limits<double>::infinity()});
+  refused(closed, {0, 1, 2, 3, 4, 5}, 1);
+  refused(closed, {0, 1, 2, 3, 4, 5}, -0.1);
+  CHECK(bool(design_function(closed, {0, 1, 2, 3, -1.7e308, 1.7e308})));
 }
 
 TEST_CASE("an atlas built anew takes over every chart whose contours are the same") {

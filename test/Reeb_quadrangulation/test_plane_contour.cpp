@@ -276,7 +276,7 @@ TEST_CASE("on closed surfaces the curves are those between two ranks of an order
     for (const Plane_curve& curve : cut.curves) {
       int first = curve.crossings.back().halfedge; // the exit from the last face is the entry to the first
       if (order.rank[s.source(first)] > threshold) first = s.opposite[first];
-      const Traced_contour traced = trace_threshold(s, order, threshold, first);
+      const Traced_contour traced = trace_threshold(s, order, Rank(threshold), Halfedge_index(first));
       std::vector<int> edges, expected;
       for (int h : traced.halfedges) edges.push_back(s.edge(h));
       expected.push_back(curve.crossings.back().halfedge);

@@ -65,7 +65,7 @@ Result<Atlas> update_atlas(const Triangle_surface& surface, const Contour_networ
                            const std::vector<int>& changed, std::vector<int>* reused = nullptr);
 
 /// The chart on the other side of a contour edge, or -1 outside the surface.
-int chart_across(const Atlas& atlas, int edge, int chart);
+int chart_across(const Atlas& atlas, Contour_id edge, Chart_index chart);
 
 /// The contour edges on a chart's walks, in increasing order; one that is passed twice, twice.
 std::vector<int> contour_edges(const Chart& chart);

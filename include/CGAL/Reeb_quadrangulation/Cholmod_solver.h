@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#ifndef REEBQUAD_WITHOUT_CHOLMOD // as the library was built
+
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
@@ -61,5 +63,7 @@ private:
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
+
+#endif // REEBQUAD_WITHOUT_CHOLMOD
 
 #endif // CGAL_REEB_QUADRANGULATION_CHOLMOD_SOLVER_H

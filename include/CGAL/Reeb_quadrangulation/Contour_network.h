@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_CONTOUR_NETWORK_H
 #define CGAL_REEB_QUADRANGULATION_CONTOUR_NETWORK_H
 
+#include <CGAL/Reeb_quadrangulation/Index.h>
 #include <CGAL/Reeb_quadrangulation/Vertex_order.h>
 
 #include <vector>
@@ -84,7 +85,8 @@ void remove_edge(Contour_network& network, int edge);
 /// Cuts a contour edge at its vertex number `at`, which becomes a node of the given kind (the edge itself is
 /// removed, its crossings stay). Returns the two new edges; for a loop at a node of kind `regular` that no
 /// other edge has, the only one. If `at` is 0, or the last vertex, nothing is cut and the edge is returned.
-std::vector<int> split_edge(Contour_network& network, int edge, int at, Node_kind kind = Node_kind::regular);
+std::vector<int> split_edge(Contour_network& network, Contour_id edge, int at,
+                            Node_kind kind = Node_kind::regular);
 
 /// A contour as it is traced, before it is placed: the halfedges that it crosses, in order, each from its
 /// lower to its higher end, so that the upper side is on the left.
@@ -101,8 +103,8 @@ std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const 
 
 /// The contour between ranks `threshold` and `threshold + 1` that crosses the edge of `halfedge`, which must
 /// run from a vertex of rank <= threshold to a higher one.
-Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold,
-                               int halfedge);
+Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, Rank threshold,
+                               Halfedge_index halfedge);
 
 /// Places traced contours of one order on the surface: crossings on an edge are ordered by the contours'
 /// ranks, put where the field has their value, and spread so that neighbours keep a distance (the least is 3

@@ -54,12 +54,14 @@ enum class Enforcement : signed char {
 /// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`. Suggested extrema
 /// that the field turns out not to have are left out.
 struct Suggest {
+  static constexpr const char* edit_name = "suggest";
   double persistence = 0.08;
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
   bool collapse_thin = false; ///< then does what `Collapse_thin_charts` does, before any count is chosen
 };
 /// Places all extrema by hand and designs the whole field anew.
 struct Set_extrema {
+  static constexpr const char* edit_name = "set_extrema";
   struct Extremum {
     Surface_point at;
     bool is_maximum = false;
@@ -82,24 +84,39 @@ struct Set_extrema {
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
   bool collapse_thin = false; ///< see `Suggest`
 };
+/// Designs the whole surface by a function that is given, in place of a harmonic field: its extrema and its
+/// critical contours are those of the design, see `design_function()`. Regular contours are the charts' own.
+/// Edits that reach as far as `Edit_scope::surface` give a harmonic field again.
+struct Set_field {
+  static constexpr const char* edit_name = "set_field";
+  /// One for each vertex of the surface that the session was begun with, `Editor::input()`: this edit alone
+  /// belongs to a triangulation, and is refused on one with another number of vertices.
+  std::vector<double> values;
+  double persistence = 0;     ///< see `design_function()`
+  bool collapse_thin = false; ///< see `Suggest`
+};
 /// Adds an extremum. In a chart its value is `strength`, in (0, 1), of the way to where it would break a
 /// contour around it.
 struct Add_extremum {
+  static constexpr const char* edit_name = "add_extremum";
   Surface_point at;
   bool is_maximum = false;
   Edit_scope scope = Edit_scope::chart;
   double strength = 0.9;
 };
 struct Remove_extremum {
+  static constexpr const char* edit_name = "remove_extremum";
   Surface_point at;
   Edit_scope scope = Edit_scope::chart;
 };
 struct Move_extremum {
+  static constexpr const char* edit_name = "move_extremum";
   Surface_point from, to;
   Edit_scope scope = Edit_scope::chart;
 };
 /// Changes the value that the field has at an extremum, in [0, 1], and solves it again on the whole surface.
 struct Change_value {
+  static constexpr const char* edit_name = "change_value";
   Surface_point at;
   double value = 0;
 };
@@ -117,6 +134,7 @@ struct Change_value {
 /// share of its length that lies in the plane, and less than a fifth is refused. Enforced by the field, the
 /// contour comes near the plane only, and all charts are new; caps go where the field has them.
 struct Move_contour {
+  static constexpr const char* edit_name = "move_contour";
   Surface_point at;
   Point plane_point = Point::Zero();
   Eigen::Vector3d plane_normal = Eigen::Vector3d(0, 0, 1);
@@ -131,40 +149,50 @@ struct Move_contour {
 /// saddle goes to the vertex itself, if all its contours are loops: they follow a plane that is given as far
 /// as others allow, else they are dragged along.
 struct Move_saddle {
+  static constexpr const char* edit_name = "move_saddle";
   Surface_point at, to;                                   ///< the saddle; where it goes, also the same point
   Eigen::Vector3d plane_normal = Eigen::Vector3d::Zero(); ///< zero: of the surface at `to`
 };
 /// Moves a contour without saddles to the level line through a vertex.
 struct Drag_contour {
+  static constexpr const char* edit_name = "drag_contour";
   Surface_point at, to;
 };
 /// Pulls a contour, or a loop of a saddle, as short as its charts allow; or a contour onto sharp edges near
 /// it.
 struct Straighten_contour {
+  static constexpr const char* edit_name = "straighten_contour";
   Surface_point at;
 };
 struct Snap_contour {
+  static constexpr const char* edit_name = "snap_contour";
   Surface_point at;
   double feature_angle = 45; ///< degrees
 };
 /// Draws the level line of a chart through a vertex as a new contour.
 struct Subdivide_chart {
+  static constexpr const char* edit_name = "subdivide_chart";
   Surface_point at;
 };
 /// Removes a contour without saddles; its two charts become one.
 struct Remove_contour {
+  static constexpr const char* edit_name = "remove_contour";
   Surface_point at;
 };
 /// Joins the saddles on both sides of a chart on one contour: the chart vanishes.
 struct Align_saddles {
+  static constexpr const char* edit_name = "align_saddles";
   Surface_point first, second; ///< two saddles on the two sides of one chart
 };
 struct Collapse_chart {
+  static constexpr const char* edit_name = "collapse_chart";
   Surface_point at;
 };
 /// Collapses the annuli between saddles that are thinner than half a quad, the thinnest first, as long as
 /// charts result.
-struct Collapse_thin_charts {};
+struct Collapse_thin_charts {
+  static constexpr const char* edit_name = "collapse_thin_charts";
+};
 /// @}
 
 /// \name Fractional poles and saddles
@@ -172,6 +200,7 @@ struct Collapse_thin_charts {};
 
 /// Splits the pole of an extremum. A half-pole's segment runs between `ends`; without ends, across the cap.
 struct Split_pole {
+  static constexpr const char* edit_name = "split_pole";
   Surface_point at;
   Pole_kind kind = Pole_kind::quarter;
   std::vector<Surface_point> ends; ///< none or two, for half-poles
@@ -179,6 +208,7 @@ struct Split_pole {
 /// Moves the corner of a cap that is nearest to `at` along its contour to the sample nearest to `to`; the
 /// other three follow.
 struct Move_corner {
+  static constexpr const char* edit_name = "move_corner";
   Surface_point at, to;
 };
 /// Splits a saddle, also one that shares its contour with others. `points`, if given, are the new vertices of
@@ -186,6 +216,7 @@ struct Move_corner {
 /// contours of a simple saddle that has its contour to itself. Degenerate saddles become simple ones first: a
 /// monkey saddle becomes four vertices of valence 6 or eight of valence 5.
 struct Split_saddle {
+  static constexpr const char* edit_name = "split_saddle";
   Surface_point at;
   Saddle_kind kind = Saddle_kind::half;
   std::vector<Surface_point> points;
@@ -195,6 +226,7 @@ struct Split_saddle {
 /// Makes the disc that passes half-saddles four times a rectangle with its corners there: the saddles become
 /// regular.
 struct Pin_corners {
+  static constexpr const char* edit_name = "pin_corners";
   Surface_point at; ///< in the disc, or its extremum
 };
 /// @}
@@ -204,30 +236,36 @@ struct Pin_corners {
 
 /// Sets the size of all quads: by their number or their edges' length, whichever is positive.
 struct Set_target {
+  static constexpr const char* edit_name = "set_target";
   int quads = 0;
   double edge_length = 0;
 };
 /// Sets the number of columns around an annulus, or of rows across it; 0 = free.
 struct Set_columns {
+  static constexpr const char* edit_name = "set_columns";
   Surface_point at;
   int columns = 0;
 };
 struct Set_rows {
+  static constexpr const char* edit_name = "set_rows";
   Surface_point at;
   int rows = 0;
 };
 /// Turns the upper contour of an annulus by columns eastward, beyond the best fit.
 struct Set_shift {
+  static constexpr const char* edit_name = "set_shift";
   Surface_point at;
   int shift = 0;
 };
 /// Makes the rows of an annulus denser at one end: the height of the uppermost over that of the lowest.
 struct Set_grading {
+  static constexpr const char* edit_name = "set_grading";
   Surface_point at;
   double ratio = 1;
 };
 /// A locked chart keeps its contours, counts and texture; edits that would change it are refused.
 struct Lock_chart {
+  static constexpr const char* edit_name = "lock_chart";
   Surface_point at;
   bool locked = true;
 };
@@ -237,6 +275,7 @@ struct Lock_chart {
 /// from the shear of columns, the corners of caps and the counts that are not wished for. What locked charts
 /// have stays; so do all counts where `counts` is 1.
 struct Align_layout {
+  static constexpr const char* edit_name = "align_layout";
   double strength = 0.002; ///< positive, at most 1
   double counts = 1.25;    ///< how far a count may go from what it was: the larger over the smaller, 1 to 4
   int tries = 40000;       ///< layouts that are tried; the same number gives the same design
@@ -269,6 +308,7 @@ enum class Texture_operator : signed char {
   restore_quads     ///< quads
 };
 struct Edit_texture {
+  static constexpr const char* edit_name = "edit_texture";
   Texture_operator operation = Texture_operator::subdivide;
   std::vector<Surface_point> points;
   double fraction = 0.5;                ///< `at` of the operator; other operators have none
@@ -277,6 +317,7 @@ struct Edit_texture {
 /// Moves inner vertices of a texture by the way from the first to `to`, on the surface, and those within a
 /// brush's `radius` by less; then relaxes around them. See `Move_vertices`.
 struct Drag_vertices {
+  static constexpr const char* edit_name = "drag_vertices";
   std::vector<Surface_point> points;
   Surface_point to;
   double radius = 0; ///< on the surface; 0 moves the vertices alone
@@ -287,6 +328,7 @@ struct Drag_vertices {
 /// Relaxes the inner vertices within `radius` of a point, or of a whole texture if that is 0. See
 /// `Relax_vertices`.
 struct Relax_texture {
+  static constexpr const char* edit_name = "relax_texture";
   Surface_point at;
   int steps = 10;
   double radius = 0;
@@ -296,6 +338,7 @@ struct Relax_texture {
 /// Moves each of the vertices onto the sharp edges: to the nearest corner of them that is at most half as far
 /// as the next vertex, else to the nearest point.
 struct Snap_vertices {
+  static constexpr const char* edit_name = "snap_vertices";
   std::vector<Surface_point> points;
   double feature_angle = 45; ///< degrees
 };
@@ -303,19 +346,21 @@ struct Snap_vertices {
 /// then vertices near their corners and near them, and relaxes around these; see fit_texture.h. What lies on
 /// sharp edges then stays there in the final relaxation.
 struct Fit_texture {
+  static constexpr const char* edit_name = "fit_texture";
   Surface_point at;
   double feature_angle = 45; ///< degrees
   Edit_scope scope = Edit_scope::chart;
 };
 /// Gives a chart a regular texture again.
 struct Reset_texture {
+  static constexpr const char* edit_name = "reset_texture";
   Surface_point at;
   Edit_scope scope = Edit_scope::chart;
 };
 /// @}
 
 using Edit =
-    std::variant<Suggest, Set_extrema, Add_extremum, Remove_extremum, Move_extremum, Change_value,
+    std::variant<Suggest, Set_extrema, Set_field, Add_extremum, Remove_extremum, Move_extremum, Change_value,
                  Move_contour, Move_saddle, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
                  Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
                  Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,

@@ -24,6 +24,19 @@ struct Designed_field {
       {}; ///< given at further vertices, of curves on which the field is constant
 };
 
+/// What a function of the user's own, a value for each vertex, is as a field to design with. Values are
+/// scaled to 0 .. 1. Wanted are the function's extrema, but for those that `Order_graph::pairs` joins with a
+/// saddle whose value differs by at most `persistence`, a share of the range: noise, and at 0 the extrema of
+/// plateaus, which only the order of the vertices makes. Equal values count as ordered by their vertices.
+///
+/// Quads have no place for contours that end on the boundary, so that the function must be constant on each
+/// boundary loop, up to 1e-6 of its range, and either a minimum or a maximum there; \sa `order_graph()` for
+/// other functions. Fails with `impossible_request`, naming the vertex, where it is not, where a value is not
+/// finite or all are equal, and where the number of values or the persistence is wrong. O(F + C log C) for C
+/// crossings of edges with critical contours. \pre `surface` is connected by `connect()`.
+Result<Designed_field> design_function(const Triangle_surface& surface, const std::vector<double>& values,
+                                       double persistence = 0);
+
 /// The Reeb atlas of a field: the surface cut along its critical contours and its caps.
 struct Reeb_layout {
   Critical_points critical;      ///< of the cleaned field; the apexes over boundary loops are left out

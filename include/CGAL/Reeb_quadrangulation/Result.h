@@ -2,6 +2,8 @@
 #ifndef CGAL_REEB_QUADRANGULATION_RESULT_H
 #define CGAL_REEB_QUADRANGULATION_RESULT_H
 
+#include <CGAL/assertions.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,8 +46,9 @@ const char* description(Error_code code);
 /// The name of an element kind ("vertex", "line", ...).
 const char* name(Element_kind kind);
 
-/// Either a value or the reason why there is none.
-template <class T> class Result {
+/// Either a value or the reason why there is none. Compilers warn where it is dropped: a failure that nobody
+/// looks at is lost, as there are no exceptions for it.
+template <class T> class [[nodiscard]] Result {
 public:
   Result(T value) : m_content(std::move(value)) {}
   Result(Error error) : m_content(std::move(error)) {}
@@ -55,20 +58,28 @@ public:
   T& operator*() { return std::get<0>(m_content); }
   const T* operator->() const { return &std::get<0>(m_content); }
   T* operator->() { return &std::get<0>(m_content); }
-  const Error& error() const { return std::get<1>(m_content); }
+  /// \pre it is a failure
+  const Error& error() const {
+    CGAL_precondition(!*this);
+    return std::get<1>(m_content);
+  }
 
 private:
   std::variant<T, Error> m_content;
 };
 
 /// Success, or the reason of the failure.
-template <> class Result<void> {
+template <> class [[nodiscard]] Result<void> {
 public:
   Result() = default;
   Result(Error error) : m_error(std::move(error)) {}
 
   explicit operator bool() const { return !m_error; }
-  const Error& error() const { return *m_error; }
+  /// \pre it is a failure
+  const Error& error() const {
+    CGAL_precondition(!*this);
+    return m_error.value();
+  }
 
 private:
   std::optional<Error> m_error;

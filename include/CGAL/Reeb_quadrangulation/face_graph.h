@@ -27,10 +27,10 @@ namespace Reeb_quadrangulation {
 namespace internal {
 
 using Quadrangulate_tags = parameters::Tag_list<
-    parameters::number_of_quads_t, parameters::edge_length_t, parameters::number_of_threads_t,
-    parameters::chart_traits_t, parameters::texture_traits_t, parameters::sizing_field_t,
-    parameters::constraint_method_t, CGAL::internal_np::sparse_linear_solver_t, parameters::quad_chart_map_t,
-    parameters::vertex_location_map_t, parameters::halfedge_uv_map_t>;
+    parameters::number_of_quads_t, parameters::edge_length_t, parameters::vertex_field_map_t,
+    parameters::number_of_threads_t, parameters::chart_traits_t, parameters::texture_traits_t,
+    parameters::sizing_field_t, parameters::constraint_method_t, CGAL::internal_np::sparse_linear_solver_t,
+    parameters::quad_chart_map_t, parameters::vertex_location_map_t, parameters::halfedge_uv_map_t>;
 
 // The parameters of corners, if there is a map for them.
 template <class NamedParameters>
@@ -122,11 +122,11 @@ template <class NamedParameters1, class NamedParameters2> constexpr bool reads_a
 /// is as it was.
 ///
 /// Named parameters: `vertex_point_map` and `geom_traits` of `tmesh`; `number_of_quads`, `edge_length`, or
-/// `sizing_field` (see sized_quads.h); `minima`, `maxima`, `chart_traits`, `texture_traits`,
-/// `sparse_linear_solver`, `constraint_method`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
-/// `face_patch_map`, `number_of_threads`, `observer`, `options` (`Quadrangulation_options`); written are
-/// `quad_chart_map`, `halfedge_uv_map` and `vertex_location_map` of `quads`. In a second chain:
-/// `vertex_point_map` and `geom_traits` of `quads`.
+/// `sizing_field` (see sized_quads.h); `minima`, `maxima`, or `vertex_field_map`; `chart_traits`,
+/// `texture_traits`, `sparse_linear_solver`, `constraint_method`, `edge_is_constrained_map`,
+/// `vertex_is_constrained_map`, `face_patch_map`, `number_of_threads`, `observer`, `options`
+/// (`Quadrangulation_options`); written are `quad_chart_map`, `halfedge_uv_map` and `vertex_location_map` of
+/// `quads`. In a second chain: `vertex_point_map` and `geom_traits` of `quads`.
 template <class TriangleMesh, class QuadMesh,
           class NamedParameters1 = CGAL::parameters::Default_named_parameters,
           class NamedParameters2 = CGAL::parameters::Default_named_parameters,

@@ -62,6 +62,13 @@ Result<Quadrangulation_options> options(const Graph& tmesh, const Face_graph_sur
     if (!extrema) return extrema.error();
     o.extrema = std::move(*extrema);
   }
+  if constexpr (has_parameter<vertex_field_map_t, NamedParameters>) {
+    static_assert(!has_parameter<minima_t, NamedParameters> && !has_parameter<maxima_t, NamedParameters>,
+                  "a function has its own extrema: give vertex_field_map, or minima and maxima");
+    const auto field = CGAL::parameters::get_parameter(np, vertex_field_map_t());
+    o.field.clear();
+    for (const auto v : mesh.vertices) o.field.push_back(coordinate(get(field, v)));
+  }
   if constexpr (has_parameter<chart_traits_t, NamedParameters>)
     o.chart_weights = [traits = CGAL::parameters::get_parameter(np, chart_traits_t())](const Chart& chart) {
       return Reeb_quadrangulation::chart_weights(chart, traits);

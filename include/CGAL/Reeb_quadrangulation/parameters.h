@@ -31,6 +31,7 @@ struct edge_length_t {};
 struct sizing_field_t {};
 struct minima_t {};
 struct maxima_t {};
+struct vertex_field_map_t {};
 struct number_of_threads_t {};
 struct observer_t {};
 struct constraint_method_t {};
@@ -96,6 +97,11 @@ public:
   /// Ranges of vertices that are to be the field's minima and maxima; suggested if neither is given.
   template <class Range> auto minima(const Range& range) const { return with<minima_t>(list_of(range)); }
   template <class Range> auto maxima(const Range& range) const { return with<maxima_t>(list_of(range)); }
+  /// A readable map from the vertices to the values of a function whose extrema and critical contours are to
+  /// be those of the design.
+  template <class VertexFieldMap> auto vertex_field_map(const VertexFieldMap& map) const {
+    return with<vertex_field_map_t>(map);
+  }
   /// A readable map from the vertices to the lengths that edges of quads shall have there.
   template <class VertexLengthMap> auto sizing_field(const VertexLengthMap& map) const {
     return with<sizing_field_t>(map);
@@ -197,6 +203,9 @@ template <class Range> auto minima(const Range& range) {
 }
 template <class Range> auto maxima(const Range& range) {
   return default_values().maxima(range);
+}
+template <class VertexFieldMap> auto vertex_field_map(const VertexFieldMap& map) {
+  return default_values().vertex_field_map(map);
 }
 template <class Traits> auto chart_traits(const Traits& traits) {
   return default_values().chart_traits(traits);

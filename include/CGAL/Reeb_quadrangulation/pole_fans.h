@@ -4,6 +4,7 @@
 
 #include <CGAL/Reeb_quadrangulation/Design.h>
 #include <CGAL/Reeb_quadrangulation/IO/polygon_soup.h>
+#include <CGAL/Reeb_quadrangulation/Mirror_plane.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include <string>
@@ -38,6 +39,10 @@ Polygon_soup with_fans(const Quad_mesh& quads, const std::vector<Pole_fan>& fans
 /// out but those between two triangles. The valences, and the holes and components that are left, are those
 /// of this mesh.
 Stitched_mesh with_paired_fans(Stitched_mesh quads, const std::vector<Pole_fan>& fans);
+
+/// The fans of a half, then their images in a mirror; `image` as in `Mirrored_design`.
+std::vector<Pole_fan> with_mirrored_fans(std::vector<Pole_fan> fans, const std::vector<int>& image,
+                                         const Mirror_plane& plane);
 
 /// "not all-quad: 24 triangles in fans at 1 whole pole, asked for by the design"; empty without fans.
 std::string fan_sentence(const std::vector<Pole_fan>& fans);

@@ -47,6 +47,12 @@ struct Quadrangulation_options {
   int extra_vertices = -1;
   /// If not empty, these replace the suggestion (not the boundary loops' constants).
   std::vector<Placed_extremum> extrema;
+  /// If not empty: a function of the user's own, a value for each vertex of the surface, whose extrema and
+  /// critical contours become those of the design; `extrema` and `suggestion` are then not read, and nothing
+  /// is searched. Extrema of at most `field_persistence` are left out; see `design_function()`. Excludes a
+  /// mirror.
+  std::vector<double> field = {};
+  double field_persistence = 0;
   /// Of the automatic extrema.
   Suggestion_options suggestion;
   /// Of the field; charts always use positive weights.

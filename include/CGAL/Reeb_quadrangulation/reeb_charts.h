@@ -22,6 +22,7 @@ Result<Designed_field> designed_field(const Graph& tmesh, const Face_graph_surfa
                                       const NamedParameters& np) {
   const Result<Quadrangulation_options> asked = options(tmesh, mesh, np);
   if (!asked) return asked.error();
+  if (!asked->field.empty()) return design_function(mesh.surface, asked->field, asked->field_persistence);
   Result<Designed_field> field = choose_extrema(mesh.surface, *asked, parameters::observer_of(np));
   if (!field) return field;
   if (Result<void> solved = solve_field(mesh.surface, *asked, *field); !solved) return solved.error();
@@ -74,12 +75,16 @@ Result<Designed_field> reeb_field(const TriangleMesh& tmesh, VertexFieldMap fiel
 /// The Reeb atlas of `reeb_field()`: writes to `chart`, a writable property map of the faces, the chart (an
 /// index into `Reeb_layout::atlas`, an arc of `Reeb_layout::graph`) that has the largest part of each face,
 /// the first of equal ones. The layout's vertices and base faces are those of `to_triangle_surface()`. Named
-/// parameters as for `reeb_field()`. For a function of the user's own see `reeb_graph()`.
+/// parameters as for `reeb_field()`, and `vertex_field_map`: a function of the user's own, as
+/// `design_function()` takes it, whose atlas is then meant. Charts have no places where contours end: for a
+/// function that is not constant on the boundary, `reeb_graph()` has the arc of each face (`face_arc_map`).
 template <class TriangleMesh, class FaceChartMap,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Result<Reeb_layout> reeb_charts(const TriangleMesh& tmesh, FaceChartMap chart,
                                 const NamedParameters& np = CGAL::parameters::default_values()) {
-  static_assert(parameters::reads_all<NamedParameters>(parameters::Point_tags() + internal::Field_tags()));
+  using Own_function = parameters::Tag_list<parameters::vertex_field_map_t>;
+  static_assert(parameters::reads_all<NamedParameters>(parameters::Point_tags() + internal::Field_tags() +
+                                                       Own_function()));
   const auto mesh = internal::triangle_surface(tmesh, np);
   if (!mesh) return mesh.error();
   const Result<Designed_field> field = internal::designed_field(tmesh, *mesh, np);

@@ -76,11 +76,15 @@ struct Histogram {
 /// A bar chart with axes, ticks and texts. Bins that are negative or not finite count as zero.
 Image histogram_image(const Histogram& histogram, int width = 640, int height = 400);
 
-/// The picture as a PNG file in memory, without time stamps: the same picture gives the same bytes. \pre
-/// `rgba` has its size
+/// Whether the library was built with libpng. Without it pictures are drawn, but not written.
+bool can_write_png();
+
+/// The picture as a PNG file in memory, without time stamps: the same picture gives the same bytes; no
+/// bytes if not `can_write_png()`. \pre `rgba` has its size
 std::vector<unsigned char> encode_png(const Image& image);
 
-/// Writes the picture as a PNG file, whole or not at all. Fails with `unwritable_file`.
+/// Writes the picture as a PNG file, whole or not at all. Fails with `unwritable_file`, and with
+/// `unsupported_format` if not `can_write_png()`.
 Result<void> write_png(const Image& image, const std::string& path);
 
 } // namespace Reeb_quadrangulation

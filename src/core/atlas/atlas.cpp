@@ -496,7 +496,7 @@ Result<Atlas> build_atlas(const Embedding& embedding, const Contour_network& net
   return builder.finish(reused);
 }
 
-int chart_across(const Atlas& atlas, int edge, int chart) {
+int chart_across(const Atlas& atlas, Contour_id edge, Chart_index chart) {
   const std::array<int, 2> sides = atlas.charts_of_edge[edge];
   return sides[0] == chart ? sides[1] : sides[0];
 }
@@ -537,36 +537,37 @@ Result<Atlas> update_atlas(const Triangle_surface& surface, const Contour_networ
   return atlas;
 }
 
-Result<Chart> cut_region(const Embedding& embedding, const Contour_network& network,
-                         const std::vector<int>& extrema, int face) {
+namespace {
+
+// The region of a face.
+Result<Chart> build_region(const Embedding& embedding, int face, Chart_builder& builder) {
   std::vector<int> region_of_face;
   std::vector<std::vector<int>> regions = flood_regions(embedding, region_of_face);
   std::vector<int>& faces = regions[region_of_face[face]];
   sort_faces(embedding, faces);
+  return builder.build(faces, region_of_face[face]);
+}
+
+} // namespace
+
+Result<Chart> cut_region(const Embedding& embedding, const Contour_network& network,
+                         const std::vector<int>& extrema, int face) {
   Chart_builder builder(embedding, network, extrema);
   builder.accept_regions();
-  return builder.build(faces, region_of_face[face]);
+  return build_region(embedding, face, builder);
 }
 
 Result<Chart> cut_part(const Embedding& embedding, const Contour_network& network, int face) {
-  std::vector<int> region_of_face;
-  std::vector<std::vector<int>> regions = flood_regions(embedding, region_of_face);
-  std::vector<int>& faces = regions[region_of_face[face]];
-  sort_faces(embedding, faces);
   Chart_builder builder(embedding, network, {});
   builder.accept_regions();
   builder.split_between_walks();
-  return builder.build(faces, region_of_face[face]);
+  return build_region(embedding, face, builder);
 }
 
 Result<Open_region> open_region(const Embedding& embedding, const Contour_network& network, int face) {
-  std::vector<int> region_of_face;
-  std::vector<std::vector<int>> regions = flood_regions(embedding, region_of_face);
-  std::vector<int>& faces = regions[region_of_face[face]];
-  sort_faces(embedding, faces);
   Chart_builder builder(embedding, network, {});
   builder.accept_regions(true);
-  Result<Chart> chart = builder.build(faces, region_of_face[face]);
+  Result<Chart> chart = build_region(embedding, face, builder);
   if (!chart) return chart.error();
   return Open_region{std::move(*chart), builder.take_walls()};
 }

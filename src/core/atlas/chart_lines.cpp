@@ -26,6 +26,42 @@ std::optional<double> position_on_edge(const Triangle_surface& surface, const Ch
   return std::nullopt;
 }
 
+std::optional<Line_crossing> surface_crossing(const Triangle_surface& surface, const Chart& chart,
+                                              const Contour_network& network, int h, double t,
+                                              int next_local_face) {
+  const int face = chart.face_origin[h / 3];
+  for (int i = 0; i < 3; ++i) {
+    const int edge = surface.edge(3 * face + i);
+    const auto a = position_on_edge(surface, chart, network, chart.mesh.source(h), edge);
+    const auto b = position_on_edge(surface, chart, network, chart.mesh.target(h), edge);
+    if (a && b) return Line_crossing{edge, *a + t * (*b - *a), chart.face_origin[next_local_face]};
+  }
+  return std::nullopt;
+}
+
+void append_crossings(const std::vector<Line_crossing>& crossings, Contour_network& network,
+                      Contour_edge& edge) {
+  for (const Line_crossing& c : crossings) {
+    edge.vertices.push_back(add_crossing(network, {c.edge, c.t}));
+    edge.faces.push_back(c.next_face);
+  }
+}
+
+void pull_loop_tight(std::vector<Line_crossing>& crossings) {
+  std::vector<Line_crossing> tight;
+  for (const Line_crossing& c : crossings) {
+    if (!tight.empty() && tight.back().edge == c.edge)
+      tight.pop_back();
+    else
+      tight.push_back(c);
+  }
+  while (tight.size() > 1 && tight.front().edge == tight.back().edge) {
+    tight.erase(tight.begin());
+    tight.pop_back();
+  }
+  crossings = std::move(tight);
+}
+
 namespace {
 
 bool touches(const Triangle_surface& surface, const Contour_network& network, int edge, int vertex) {
@@ -87,16 +123,9 @@ public:
 private:
   // A crossing of an edge that is, or is part of, an edge of the surface.
   void cross(const Edge_crossing& crossing, int next_face) {
-    const int h = crossing.halfedge, face = m_chart.face_origin[h / 3];
-    const int a = m_chart.mesh.source(h), b = m_chart.mesh.target(h);
-    for (int i = 0; i < 3; ++i) {
-      const int edge = m_surface.edge(3 * face + i);
-      const auto ta = position_on_edge(m_surface, m_chart, m_network, a, edge);
-      const auto tb = position_on_edge(m_surface, m_chart, m_network, b, edge);
-      if (!ta || !tb) continue;
-      m_crossings.push_back({edge, *ta + crossing.t * (*tb - *ta), m_chart.face_origin[next_face]});
-      return;
-    }
+    if (const auto on_surface =
+            surface_crossing(m_surface, m_chart, m_network, crossing.halfedge, crossing.t, next_face))
+      m_crossings.push_back(*on_surface);
   }
 
   int node(int local_node, int vertex) {
@@ -125,32 +154,16 @@ private:
     Contour_edge made;
     made.vertices.push_back(seed);
     made.faces.push_back(first_face);
-    for (const Line_crossing& c : m_crossings) {
-      made.vertices.push_back(add_crossing(m_network, {c.edge, c.t}));
-      made.faces.push_back(c.next_face);
-    }
+    append_crossings(m_crossings, m_network, made);
     made.vertices.push_back(seed);
     return finish(edge, made);
   }
 
   Result<int> free_loop(const Contour_edge& edge) {
-    std::vector<Line_crossing> tight;
-    for (const Line_crossing& c : m_crossings) {
-      if (!tight.empty() && tight.back().edge == c.edge)
-        tight.pop_back();
-      else
-        tight.push_back(c);
-    }
-    while (tight.size() > 1 && tight.front().edge == tight.back().edge) {
-      tight.erase(tight.begin());
-      tight.pop_back();
-    }
-    if (tight.size() < 3) return too_near();
+    pull_loop_tight(m_crossings);
+    if (m_crossings.size() < 3) return too_near();
     Contour_edge made;
-    for (const Line_crossing& c : tight) {
-      made.vertices.push_back(add_crossing(m_network, {c.edge, c.t}));
-      made.faces.push_back(c.next_face);
-    }
+    append_crossings(m_crossings, m_network, made);
     made.vertices.push_back(made.vertices.front());
     return finish(edge, made);
   }

@@ -23,6 +23,19 @@ struct Line_crossing {
 std::optional<double> position_on_edge(const Triangle_surface& surface, const Chart& chart,
                                        const Contour_network& network, int vertex, int edge);
 
+/// The crossing with the original surface of a line that crosses halfedge `h` of a chart at `t`, from its
+/// source (0) to its target (1), and enters a face of the chart; none where only the chart has that edge.
+std::optional<Line_crossing> surface_crossing(const Triangle_surface& surface, const Chart& chart,
+                                              const Contour_network& network, int h, double t,
+                                              int next_local_face);
+
+/// Adds crossings to the network and to the polyline of a contour edge.
+void append_crossings(const std::vector<Line_crossing>& crossings, Contour_network& network,
+                      Contour_edge& edge);
+
+/// A loop that crosses an edge and comes back over it at once can be pulled back: nothing lies between.
+void pull_loop_tight(std::vector<Line_crossing>& crossings);
+
 /// A line that leaves a face of the original surface by the edge it came through, or begins or ends by
 /// crossing an edge at its own end, can be pulled back over it: nothing lies between. `start` and `end` are
 /// network vertices.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Reeb_quadrangulation/Reeb_layout.h>
+#include "atlas/given_field.h"
 
 #include <CGAL/assertions.h>
 
@@ -184,8 +184,8 @@ Traced_contour trace_site(const Closed_surface& closed, const Vertex_order& orde
   const int v = site.disc[site.inside - 1], rank = order.rank[v];
   int h = s.outgoing[v];
   while ((order.rank[s.target(h)] > rank) == site.is_maximum) h = s.rotate_ccw(h);
-  return site.is_maximum ? trace_threshold(s, order, rank - 1, s.opposite[h])
-                         : trace_threshold(s, order, rank, h);
+  return site.is_maximum ? trace_threshold(s, order, Rank(rank - 1), Halfedge_index(s.opposite[h]))
+                         : trace_threshold(s, order, Rank(rank), Halfedge_index(h));
 }
 
 std::vector<char> critical_marks(const Closed_surface& closed, const Critical_points& critical) {
@@ -215,9 +215,6 @@ Traced_contour trace_cap(const Closed_surface& closed, const Vertex_order& order
       choose_cap(closed, order, values, critical_marks(closed, critical), extremum, is_maximum));
 }
 
-namespace {
-
-// The levels and values of the closed surface: loops that are minima lie below everything else, maxima above.
 void close_field(const Closed_surface& closed, const std::vector<std::vector<int>>& loops,
                  const Designed_field& field, std::vector<double>& values, std::vector<signed char>& level) {
   values = field.values;
@@ -234,6 +231,8 @@ void close_field(const Closed_surface& closed, const std::vector<std::vector<int
     level[closed.original_vertices + i] = side;
   }
 }
+
+namespace {
 
 // The contours through the saddles, and one around each extremum, whose cap it bounds.
 std::vector<Traced_contour> trace_contours(const Closed_surface& closed, const Vertex_order& order,

@@ -342,33 +342,12 @@ std::vector<Line_crossing> surface_crossings(const Triangle_surface& surface, co
   const Chart& chart = region.chart;
   std::vector<Line_crossing> crossings;
   for (std::size_t k = 0; k < curve.exits.size(); ++k) {
-    const int h = curve.exits[k], face = chart.face_origin[h / 3],
-              next = chart.face_origin[chart.mesh.opposite[h] / 3];
-    for (int i = 0; i < 3; ++i) {
-      const int edge = surface.edge(3 * face + i);
-      const auto a = position_on_edge(surface, chart, network, chart.mesh.source(h), edge);
-      const auto b = position_on_edge(surface, chart, network, chart.mesh.target(h), edge);
-      if (!a || !b) continue;
-      crossings.push_back({edge, *a + curve.t[k] * (*b - *a), next});
-      break;
-    }
+    const int h = curve.exits[k];
+    if (const auto crossing =
+            surface_crossing(surface, chart, network, h, curve.t[k], chart.mesh.opposite[h] / 3))
+      crossings.push_back(*crossing);
   }
   return crossings;
-}
-
-void pull_loop_tight(std::vector<Line_crossing>& crossings) {
-  std::vector<Line_crossing> tight;
-  for (const Line_crossing& c : crossings) {
-    if (!tight.empty() && tight.back().edge == c.edge)
-      tight.pop_back();
-    else
-      tight.push_back(c);
-  }
-  while (tight.size() > 1 && tight.front().edge == tight.back().edge) {
-    tight.erase(tight.begin());
-    tight.pop_back();
-  }
-  crossings = std::move(tight);
 }
 
 } // namespace
@@ -388,10 +367,7 @@ Result<Contour_edge> contour_of_curve(const Triangle_surface& surface, const Ope
     made.vertices.push_back(from);
     made.faces.push_back(first_face);
   }
-  for (const Line_crossing& c : crossings) {
-    made.vertices.push_back(add_crossing(network, {c.edge, c.t}));
-    made.faces.push_back(c.next_face);
-  }
+  append_crossings(crossings, network, made);
   made.vertices.push_back(from < 0 ? made.vertices.front() : to);
   return made;
 }

@@ -3,6 +3,7 @@
 
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
+#include "domain/mirror_report.h"
 
 #include <CGAL/Reeb_quadrangulation/design_energy.h>
 
@@ -36,10 +37,6 @@ void double_result(Quadrangulation& result, Mirrored_design&& mirrored) {
   result.features = whole.features;
   result.subdivided_quads = whole.subdivided_quads;
   result.t_junctions = whole.t_junctions;
-  result.mirror->image = std::move(mirrored.image);
-  result.mirror->on_plane = mirrored.on_plane;
-  result.mirror->ring_quads = mirrored.ring_quads;
-  result.mirror->largest_shift = mirrored.largest_shift;
 }
 
 // The finished quads of a half as the engine had them when it had made them.
@@ -108,6 +105,9 @@ Result<Quadrangulation> quadrangulate_mirrored(const Triangle_surface& surface,
   if (options.given_features)
     return make_error(Error_code::impossible_request,
                       "features that are given are those of the whole surface: a mirror excludes them");
+  if (!options.field.empty())
+    return make_error(Error_code::impossible_request,
+                      "a function that is given is one of the whole surface: a mirror excludes it");
   if (surface.number_of_faces() == 0)
     return make_error(Error_code::not_a_surface, "the surface has no faces");
   Stage_recorder recorder(observer, {"mirror planes", "mirror"});
@@ -122,14 +122,12 @@ Result<Quadrangulation> quadrangulate_mirrored(const Triangle_surface& surface,
   if (!result) return result;
   recorder.progress("mirror", 0);
   result->recipe.mirror = Mirror{half->plane, options.mirror->positions};
-  result->mirror.emplace();
-  result->mirror->mirror = *result->recipe.mirror;
-  result->mirror->deviation = found->deviation;
   Finish_options finish = result->recipe.finish;
   finish.relaxation.threads = number_of_threads(options.threads);
   Result<Mirrored_design> mirrored =
       mirror_design(finished_of(*result), *half, whole, options.mirror->positions, finish, &recorder);
   if (!mirrored) return mirrored.error();
+  result->mirror = mirror_report(*result->recipe.mirror, found->deviation, *mirrored);
   double_result(*result, std::move(*mirrored));
   result->genus = (2 - euler_characteristic(surface) - int(boundary_loops(surface).size())) / 2;
   const std::vector<Stage_time> own = recorder.finish();

@@ -135,7 +135,13 @@ Finish_options finish_options(const Quadrangulation_options& asked) {
   return options;
 }
 
+// Whether the user says what the extrema are, so that none are searched.
+bool has_own_extrema(const Quadrangulation_options& options) {
+  return !options.extrema.empty() || !options.field.empty();
+}
+
 Edit edit_of_extrema(const Quadrangulation_options& asked) {
+  if (!asked.field.empty()) return Set_field{asked.field, asked.field_persistence, asked.collapse_thin};
   if (asked.extrema.empty())
     return Suggest{asked.suggestion.persistence, asked.suggestion.axis, asked.collapse_thin};
   Set_extrema edit;
@@ -200,7 +206,7 @@ constexpr int curves_of_fast = 6, curves_of_normal = 24, curves_of_best = 120;
 Result<std::vector<Search_step>> search_sharp_curves(const Editor& editor,
                                                      const Quadrangulation_options& options, Recipe& recipe,
                                                      Observer* observer) {
-  if (!options.keep_features || !options.extrema.empty()) return std::vector<Search_step>();
+  if (!options.keep_features || has_own_extrema(options)) return std::vector<Search_step>();
   Search_options search;
   search.tries = options.effort == Effort::fast     ? curves_of_fast
                  : options.effort == Effort::normal ? curves_of_normal
@@ -217,7 +223,7 @@ Result<std::vector<Search_step>> search_sharp_curves(const Editor& editor,
 // Replaces the recipe's suggestion by better extrema, if some are found.
 Result<std::vector<Search_step>> search(const Editor& editor, const Quadrangulation_options& options,
                                         Recipe& recipe, Observer* observer) {
-  if (options.effort == Effort::fast || !options.extrema.empty()) return std::vector<Search_step>();
+  if (options.effort == Effort::fast || has_own_extrema(options)) return std::vector<Search_step>();
   Search_options search;
   search.tries = options.effort == Effort::normal ? tries_of_normal : tries_of_best;
   search.weights = options.energy;

@@ -79,17 +79,11 @@ private:
 
   void record(int exit, double va, double vb, std::vector<Line_crossing>& crossings) const {
     const Triangle_surface& mesh = m_chart.mesh;
-    const int a = mesh.source(exit), b = mesh.target(exit), face = m_chart.face_origin[exit / 3];
-    for (int i = 0; i < 3; ++i) {
-      const int edge = m_surface.edge(3 * face + i);
-      const auto ta = position_on_edge(m_surface, m_chart, m_network, a, edge);
-      const auto tb = position_on_edge(m_surface, m_chart, m_network, b, edge);
-      if (!ta || !tb) continue;
-      const double sa = side(a, va), sb = side(b, vb);
-      const double w = sb > sa ? std::min(0.95, std::max(0.05, -sa / (sb - sa))) : 0.5;
-      crossings.push_back({edge, *ta + w * (*tb - *ta), m_chart.face_origin[mesh.opposite[exit] / 3]});
-      return;
-    }
+    const double sa = side(mesh.source(exit), va), sb = side(mesh.target(exit), vb);
+    const double w = sb > sa ? std::min(0.95, std::max(0.05, -sa / (sb - sa))) : 0.5;
+    if (const auto crossing =
+            surface_crossing(m_surface, m_chart, m_network, exit, w, mesh.opposite[exit] / 3))
+      crossings.push_back(*crossing);
   }
 
   const Triangle_surface& m_surface;
@@ -117,10 +111,7 @@ Result<Contour_edge> trace_line(const Triangle_surface& surface, const Chart& ch
   Contour_edge edge;
   edge.vertices.push_back(start);
   edge.faces.push_back(first_face);
-  for (const Line_crossing& c : *line) {
-    edge.vertices.push_back(add_crossing(network, {c.edge, c.t}));
-    edge.faces.push_back(c.next_face);
-  }
+  append_crossings(*line, network, edge);
   edge.vertices.push_back(end);
   if (line->empty() && are_on_one_edge(surface, network, start, end)) edge.faces.back() = -1;
   return edge;

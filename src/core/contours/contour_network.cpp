@@ -59,7 +59,7 @@ void remove_edge(Contour_network& network, int e) {
   edge.faces.clear();
 }
 
-std::vector<int> split_edge(Contour_network& network, int e, int at, Node_kind kind) {
+std::vector<int> split_edge(Contour_network& network, Contour_id e, int at, Node_kind kind) {
   const Contour_edge whole = network.edges[e];
   const int last = int(whole.vertices.size()) - 1;
   CGAL_precondition(0 <= at && at <= last);
@@ -109,8 +109,8 @@ std::vector<Traced_contour> trace_contour(const Triangle_surface& closed, const 
   return loops;
 }
 
-Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, int threshold,
-                               int halfedge) {
+Traced_contour trace_threshold(const Triangle_surface& closed, const Vertex_order& order, Rank threshold,
+                               Halfedge_index halfedge) {
   Traced_contour loop;
   loop.threshold = threshold;
   int exit = halfedge;

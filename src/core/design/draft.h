@@ -78,6 +78,7 @@ public:
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
   int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
   double followed = 1;                        ///< see `Edit_report::followed`
+  std::optional<Designed_field> given_field;  ///< of `Set_field`, on the surface of the draft
   bool has_pushed_contours =
       false; ///< so that charts may be too thin for numbers: then their maps are checked
 

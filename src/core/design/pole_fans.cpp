@@ -177,6 +177,19 @@ Stitched_mesh with_paired_fans(Stitched_mesh quads, const std::vector<Pole_fan>&
   return quads;
 }
 
+std::vector<Pole_fan> with_mirrored_fans(std::vector<Pole_fan> fans, const std::vector<int>& image,
+                                         const Mirror_plane& plane) {
+  const std::size_t half = fans.size();
+  for (std::size_t i = 0; i < half; ++i) {
+    Pole_fan fan = fans[i];
+    fan.pole = plane.reflected(fan.pole);
+    for (int& v : fan.ring) v = image[std::size_t(v)];
+    std::reverse(fan.ring.begin(), fan.ring.end());
+    fans.push_back(std::move(fan));
+  }
+  return fans;
+}
+
 std::string fan_sentence(const std::vector<Pole_fan>& fans) {
   if (fans.empty()) return {};
   std::size_t triangles = 0;

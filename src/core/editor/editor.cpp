@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Reeb_quadrangulation/Editor.h>
 
+#include "atlas/given_field.h"
 #include "base/parallel_for.h"
 #include "design/pole_texture.h"
 #include "edits/steps.h"
@@ -101,9 +102,14 @@ struct Editor::Implementation {
   const Design& design() const { return *states[position]; }
   Result<Changed> changed(const Edit& edit, Observer* observer) const {
     if (design().charts.empty() && !std::holds_alternative<Suggest>(edit) &&
-        !std::holds_alternative<Set_extrema>(edit))
+        !std::holds_alternative<Set_extrema>(edit) && !std::holds_alternative<Set_field>(edit))
       return refuse("the design is empty", "place extrema first");
     Draft draft(working, projector, solver, design(), options, observer);
+    if (const Set_field* given = std::get_if<Set_field>(&edit)) {
+      Result<Designed_field> field = field_on_working_surface(*given);
+      if (!field) return field.error();
+      draft.given_field = std::move(*field);
+    }
     Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
     if (!next) return next.error();
     const int collapsed = draft.collapsed_charts;
@@ -118,7 +124,16 @@ struct Editor::Implementation {
     return Changed{std::move(*next), std::move(*stitched), collapsed, followed};
   }
 
+  // A function on the input as it is on the working copy: its extrema are those of the input, though flips
+  // and collapses may have made others between the new vertices.
+  Result<Designed_field> field_on_working_surface(const Set_field& given) const {
+    Result<Designed_field> field = design_function(input, given.values, given.persistence);
+    if (!field || working_vertex.empty()) return field;
+    return carried_field(input, *input_projector, *field, working, working_vertex);
+  }
+
   Triangle_surface input, working;
+  std::vector<int> working_vertex; // of each vertex of the input; empty: both surfaces are the same
   Editor_options options;
   Prepare_report preparation;
   internal::Lazy_projector projector{working}, input_projector{input};
@@ -156,6 +171,7 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
     Result<Prepared_surface> prepared = prepare_surface(editor->input, prepare, observer);
     if (!prepared) return prepared.error();
     editor->working = std::move(prepared->surface);
+    editor->working_vertex = std::move(prepared->working_vertex);
     editor->preparation = prepared->report;
   } else {
     editor->working = editor->input;

@@ -45,6 +45,11 @@ template <class F> void fields(F& f, Set_extrema& e) {
   f.optional("axis", e.axis);
   f.optional("collapse_thin", e.collapse_thin);
 }
+template <class F> void fields(F& f, Set_field& e) {
+  f("values", e.values);
+  f.optional("persistence", e.persistence);
+  f.optional("collapse_thin", e.collapse_thin);
+}
 template <class F> void fields(F& f, Add_extremum& e) {
   f("at", e.at);
   f("maximum", e.is_maximum);
@@ -364,7 +369,7 @@ Edit read_edit(const Json& object, const std::string& wanted, const std::string&
     throw Malformed(where + ": there is no edit \"" + wanted + "\"");
   } else {
     std::variant_alternative_t<I, Edit> edit;
-    if (name(Edit(edit)) != wanted) return read_edit<I + 1>(object, wanted, where);
+    if (edit.edit_name != wanted) return read_edit<I + 1>(object, wanted, where);
     Reader reader(object, where + " (" + wanted + ")");
     reader.know("edit");
     fields(reader, edit);

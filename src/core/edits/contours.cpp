@@ -52,7 +52,7 @@ std::array<double, 2> value_range(const Draft& draft, const Chart& chart) {
                                           : std::array<double, 2>{pole, around};
 }
 
-Result<int> draw_level_line(Draft& draft, int c, int vertex) {
+Result<int> draw_level_line(Draft& draft, Chart_index c, Vertex_index vertex) {
   const Chart& chart = draft.chart(c);
   const auto found = std::find(chart.vertex_origin.begin(), chart.vertex_origin.end(), vertex);
   const int seed = int(found - chart.vertex_origin.begin());
@@ -80,7 +80,7 @@ Result<void> apply_edit(Draft& draft, const Subdivide_chart& edit) {
   const int vertex = draft.vertex_at(edit.at),
             chart = draft.atlas().charts.empty() ? -1 : draft.chart_of_vertex(vertex);
   if (chart < 0) return refuse("the vertex lies on a contour", {}, Element_kind::vertex, vertex);
-  Result<int> edge = draw_level_line(draft, chart, vertex);
+  Result<int> edge = draw_level_line(draft, Chart_index(chart), Vertex_index(vertex));
   if (!edge) return edge.error();
   return draft.cut();
 }
@@ -123,7 +123,7 @@ Result<void> apply_edit(Draft& draft, const Drag_contour& edit) {
     return refuse("the contour would leave its charts", {}, Element_kind::vertex, vertex);
   remove_edge(draft.network, *e);
   if (Result<void> cut = draft.cut(); !cut) return cut;
-  Result<int> line = draw_level_line(draft, draft.chart_of_vertex(vertex), vertex);
+  Result<int> line = draw_level_line(draft, Chart_index(draft.chart_of_vertex(vertex)), Vertex_index(vertex));
   if (!line) return line.error();
   if (Result<void> cut = draft.cut(); !cut) return cut;
   return check_caps(draft);
@@ -204,7 +204,7 @@ Result<int> part_between(Draft& draft, int e, const std::vector<Surface_point>& 
   const bool at_end = i == 0 || i + 1 == int(draft.network.edges[e].vertices.size());
   if (at_end && draft.is_free_loop(e))
     draft.network.nodes[draft.network.edges[e].from].kind = Node_kind::anchor;
-  std::vector<int> parts = split_edge(draft.network, e, i, Node_kind::anchor);
+  std::vector<int> parts = split_edge(draft.network, Contour_id(e), i, Node_kind::anchor);
   const auto nearest = [&](const Point& p) {
     int best = parts[0];
     double least = -1;
@@ -220,7 +220,7 @@ Result<int> part_between(Draft& draft, int e, const std::vector<Surface_point>& 
   const int j = draft.vertex_of_contour_at(second, anchors[1].point);
   if (draft.position(draft.network.edges[second].vertices[j]) == first)
     return refuse("the anchors are the same vertex of the contour");
-  const std::vector<int> more = split_edge(draft.network, second, j, Node_kind::anchor);
+  const std::vector<int> more = split_edge(draft.network, Contour_id(second), j, Node_kind::anchor);
   parts.erase(std::find(parts.begin(), parts.end(), second));
   parts.insert(parts.end(), more.begin(), more.end());
   return nearest(at);

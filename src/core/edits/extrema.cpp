@@ -39,6 +39,22 @@ bool is_boundary_vertex(const Triangle_surface& s, int v) {
 // What becomes of an extremum that the field turns out not to have.
 enum class Lost_extrema { are_refused, are_left_out };
 
+// Cuts the whole surface along the contours of a field.
+Result<void> cut_along_field(Draft& draft, const Designed_field& field, std::vector<Design_extremum> extrema,
+                             Lost_extrema lost) {
+  if (Result<void> going_on = draft.begin("layout"); !going_on) return going_on;
+  Result<Reeb_layout> layout =
+      lost == Lost_extrema::are_refused ? layout_of(draft, field) : layout_with_any_extrema(draft, field);
+  if (!layout) return layout.error();
+  for (int v : layout->lost_extrema)
+    extrema.erase(std::remove_if(extrema.begin(), extrema.end(),
+                                 [&](const Design_extremum& e) { return e.vertex == v; }),
+                  extrema.end());
+  draft.adopt(std::move(*layout));
+  draft.extrema = std::move(extrema);
+  return {};
+}
+
 // Solves the field on the whole surface and cuts it along its own contours.
 Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
                             const std::vector<bool>& boundary_is_maximum,
@@ -58,17 +74,7 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
   if (Result<void> going_on = draft.begin("field"); !going_on) return going_on;
   if (Result<void> solved = draft.solver().solve(field); !solved)
     return refuse("the field cannot be solved", solved.error().message);
-  if (Result<void> going_on = draft.begin("layout"); !going_on) return going_on;
-  Result<Reeb_layout> layout =
-      lost == Lost_extrema::are_refused ? layout_of(draft, field) : layout_with_any_extrema(draft, field);
-  if (!layout) return layout.error();
-  for (int v : layout->lost_extrema)
-    extrema.erase(std::remove_if(extrema.begin(), extrema.end(),
-                                 [&](const Design_extremum& e) { return e.vertex == v; }),
-                  extrema.end());
-  draft.adopt(std::move(*layout));
-  draft.extrema = std::move(extrema);
-  return {};
+  return cut_along_field(draft, field, std::move(extrema), lost);
 }
 
 // Whether the boundary loops are maxima: as they are now, else as it is suggested.
@@ -149,6 +155,21 @@ Result<void> apply_edit(Draft& draft, const Set_extrema& edit) {
                                     ? design_surface(draft, std::move(extrema), *kinds)
                                     : design_on_curves(draft, std::move(extrema), edit.curves, *kinds);
   return designed && edit.collapse_thin ? collapse_thin_charts(draft) : designed;
+}
+
+Result<void> apply_edit(Draft& draft, const Set_field& edit) {
+  const Designed_field& field = *draft.given_field;
+  std::vector<Design_extremum> extrema;
+  for (const bool is_maximum : {false, true})
+    for (int v : is_maximum ? field.maxima : field.minima) {
+      if (is_boundary_vertex(draft.surface(), v))
+        return refuse("an extremum on the boundary", {}, Element_kind::vertex, v);
+      extrema.push_back({v, is_maximum, field.values[std::size_t(v)]});
+    }
+  sort_by_vertex(extrema);
+  if (Result<void> cut = cut_along_field(draft, field, std::move(extrema), Lost_extrema::are_left_out); !cut)
+    return cut;
+  return edit.collapse_thin ? collapse_thin_charts(draft) : Result<void>();
 }
 
 Result<void> apply_edit(Draft& draft, const Change_value& edit) {
@@ -378,7 +399,7 @@ namespace {
 std::set<int> polar_charts(const Draft& draft, int disc) {
   std::set<int> charts{disc};
   if (const int cap = cap_contour(draft, disc); cap >= 0)
-    charts.insert(chart_across(draft.atlas(), cap, disc));
+    charts.insert(chart_across(draft.atlas(), Contour_id(cap), Chart_index(disc)));
   return charts;
 }
 

@@ -175,7 +175,7 @@ Result<void> split_in_halves(Draft& draft, const Simple_saddle& s, const Split_s
   std::array<int, 2> lines{};
   for (int i = 0; i < 2; ++i) {
     branch_side[i] = side_of(draft, s.loops[i], s.branches[i]);
-    Result<int> line = draw_level_line(draft, s.branches[i], (*vertices)[i]);
+    Result<int> line = draw_level_line(draft, Chart_index(s.branches[i]), Vertex_index((*vertices)[i]));
     if (!line) return line.error();
     lines[i] = *line;
   }
@@ -246,7 +246,7 @@ Result<Contour_edge> path_around(Draft& draft, int c, Side side, int visit, doub
   const int apex = metric->vertex_across(side, visit, size);
   if (Result<void> good = check_branch_vertex(draft, apex, c); !good) return good.error();
   const int witness = draft.chart(c).walk(side).edges[0].edge;
-  Result<int> line = draw_level_line(draft, c, apex);
+  Result<int> line = draw_level_line(draft, Chart_index(c), Vertex_index(apex));
   if (!line) return line.error();
   if (Result<void> cut = draft.cut(); !cut) return cut.error();
   int strip_chart = -1;
@@ -395,7 +395,7 @@ int capped_disc_at(const Draft& draft, const Surface_point& at) {
   if (draft.chart(c).kind == Chart_kind::disc) return c;
   for (const Walk& walk : draft.chart(c).walks) // the annulus beside a cap stands for the whole disc
     if (walk.edges.size() == 1) {
-      const int beyond = chart_across(draft.atlas(), walk.edges[0].edge, c);
+      const int beyond = chart_across(draft.atlas(), Contour_id(walk.edges[0].edge), Chart_index(c));
       if (beyond >= 0 && cap_contour(draft, beyond) == walk.edges[0].edge) return beyond;
     }
   return -1;
@@ -417,7 +417,7 @@ Result<void> apply_edit(Draft& draft, const Pin_corners& edit) {
   const int cap = c >= 0 ? cap_contour(draft, c) : -1;
   if (cap < 0) return refuse("there is no cap whose corners could be pinned");
   const std::shared_ptr<const Chart> disc = draft.atlas().charts[c];
-  const int annulus = chart_across(draft.atlas(), cap, c);
+  const int annulus = chart_across(draft.atlas(), Contour_id(cap), Chart_index(c));
   const Walk& outer = draft.chart(annulus).walk(disc->walks[0].side);
   int visits = 0;
   for (const Walk_edge& e : outer.edges) {

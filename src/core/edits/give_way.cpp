@@ -107,7 +107,7 @@ Result<void> level_again(Draft& draft, int e, double below) {
     }
   }
   if (seed < 0) return refuse("there is no room between the contours for another course");
-  const Result<int> line = draw_level_line(draft, c, seed);
+  const Result<int> line = draw_level_line(draft, Chart_index(c), Vertex_index(seed));
   if (!line) return line.error();
   draft.replaced[*line] = old;
   return draft.cut();
@@ -263,7 +263,8 @@ Result<void> move_loops(Draft& draft, int node, int vertex, const std::vector<in
 
 } // namespace
 
-Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal) {
+Result<void> move_saddle_with_loops(Draft& draft, Node_id node, Vertex_index vertex,
+                                    const Eigen::Vector3d& normal) {
   std::vector<int> edges;
   for (int e : draft.edges_at(node)) {
     if (draft.network.edges[e].from != draft.network.edges[e].to)

@@ -192,7 +192,7 @@ Result<void> apply_edit(Draft& draft, const Move_saddle& edit) {
   Result<void> done;
   for (std::size_t i = 0; i < std::min(most, vertices.size()); ++i) {
     Draft trial = draft;
-    done = move_saddle_with_loops(trial, saddle->node, vertices[i], edit.plane_normal);
+    done = move_saddle_with_loops(trial, Node_id(saddle->node), Vertex_index(vertices[i]), edit.plane_normal);
     if (!done) continue;
     draft.take(std::move(trial));
     return {};

@@ -14,6 +14,7 @@ namespace Reeb_quadrangulation {
 
 Result<void> apply_edit(Draft& draft, const Suggest& edit);
 Result<void> apply_edit(Draft& draft, const Set_extrema& edit);
+Result<void> apply_edit(Draft& draft, const Set_field& edit); ///< \pre the draft has `given_field`
 Result<void> apply_edit(Draft& draft, const Add_extremum& edit);
 Result<void> apply_edit(Draft& draft, const Remove_extremum& edit);
 Result<void> apply_edit(Draft& draft, const Move_extremum& edit);
@@ -97,11 +98,12 @@ Result<void> move_towards_plane(Draft& draft, int edge, const Point& point, cons
 
 /// Moves a saddle all of whose contours are loops to a vertex in the charts around it; its loops go to planes
 /// of their own, whose normals are those of the loops, or the one given.
-Result<void> move_saddle_with_loops(Draft& draft, int node, int vertex, const Eigen::Vector3d& normal);
+Result<void> move_saddle_with_loops(Draft& draft, Node_id node, Vertex_index vertex,
+                                    const Eigen::Vector3d& normal);
 
 /// Draws the level line of a chart through a vertex of the surface inside it; returns the contour edge. The
 /// draft is not cut.
-Result<int> draw_level_line(Draft& draft, int chart, int vertex);
+Result<int> draw_level_line(Draft& draft, Chart_index chart, Vertex_index vertex);
 
 /// The contour edge at a point, which an edit may remove: a free loop inside the surface.
 Result<int> free_loop_at(const Draft& draft, const Surface_point& at);

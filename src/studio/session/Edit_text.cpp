@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/Edit_text.h"
 
+#include <CGAL/Reeb_quadrangulation/Edit.h>
+
 #include <algorithm>
 #include <array>
 
 namespace reebquad {
 namespace studio {
+
+using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
 
@@ -27,21 +31,21 @@ struct Word {
   const char* word;
 };
 constexpr std::array renamed{
-    Word{"suggest", "suggest a design"},
-    Word{"remove_extremum", "delete extremum"},
-    Word{"subdivide_chart", "add contour"},
-    Word{"set_target", "set number"},
-    Word{"set_columns", "set number around"},
-    Word{"set_rows", "set number along"},
-    Word{"set_shift", "twist chart"},
-    Word{"set_grading", "set density"},
-    Word{"pin_corners", "make regular"},
-    Word{"move_corner", "turn corners"},
-    Word{"collapse_thin_charts", "collapse thin charts"},
-    Word{"drag_vertices", "drag vertex"},
-    Word{"snap_vertices", "snap vertex"},
-    Word{"relax_texture", "smooth texture"},
-    Word{"reset_texture", "make texture regular"},
+    Word{Suggest::edit_name, "suggest a design"},
+    Word{Remove_extremum::edit_name, "delete extremum"},
+    Word{Subdivide_chart::edit_name, "add contour"},
+    Word{Set_target::edit_name, "set number"},
+    Word{Set_columns::edit_name, "set number around"},
+    Word{Set_rows::edit_name, "set number along"},
+    Word{Set_shift::edit_name, "twist chart"},
+    Word{Set_grading::edit_name, "set density"},
+    Word{Pin_corners::edit_name, "make regular"},
+    Word{Move_corner::edit_name, "turn corners"},
+    Word{Collapse_thin_charts::edit_name, "collapse thin charts"},
+    Word{Drag_vertices::edit_name, "drag vertex"},
+    Word{Snap_vertices::edit_name, "snap vertex"},
+    Word{Relax_texture::edit_name, "smooth texture"},
+    Word{Reset_texture::edit_name, "make texture regular"},
     Word{"subdivide", "refine texture"},
     Word{"coarsen", "coarsen texture"},
     Word{"insert_polychord", "insert strip"},
@@ -78,7 +82,8 @@ std::string edit_text(const Json& edit) {
   const auto name = edit.find("edit");
   if (name == edit.end() || !name->is_string()) return "edit";
   const auto operation = edit.find("operator");
-  const bool is_operator = *name == "edit_texture" && operation != edit.end() && operation->is_string();
+  const bool is_operator =
+      *name == Edit_texture::edit_name && operation != edit.end() && operation->is_string();
   std::string text = in_words(is_operator ? *operation : *name);
   if (text == "lock chart" && edit.value("locked", Json(true)) == false) text = "unlock chart";
   if (text == "add extremum" && edit.contains("maximum"))

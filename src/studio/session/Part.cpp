@@ -133,10 +133,13 @@ Json Part::facts() const {
 Json Part::history() const {
   Json list = Json::array();
   const std::vector<Json>& edits = m_work->edits();
-  for (std::size_t i = 0; i < edits.size(); ++i)
-    list.push_back({{"text", edit_text(edits[i])},
-                    {"edit", edits[i]},
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    Json edit = edits[i];
+    edit.erase("values"); // a function on the surface: large, and nothing that the page shows
+    list.push_back({{"text", edit_text(edit)},
+                    {"edit", std::move(edit)},
                     {"milliseconds", i < m_milliseconds.size() ? m_milliseconds[i] : 0.0}});
+  }
   return list;
 }
 

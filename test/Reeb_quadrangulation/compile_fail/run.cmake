@@ -2,7 +2,7 @@
 # cmake -D COMPILER=... -D INCLUDES=DIR,DIR -D SOURCE=... -P run.cmake: SOURCE must compile, and with REEBQUAD_LEAVE_OUT,
 # which leaves out a requirement of a concept, fail with an error that matches the regular expression after "fails with:".
 string(REPLACE "," ";" INCLUDES "${INCLUDES}")
-set(command ${COMPILER} -std=c++17 -fsyntax-only)
+set(command ${COMPILER} -std=c++17 -fsyntax-only -Werror=unused-result)
 foreach(directory IN LISTS INCLUDES)
   list(APPEND command -I${directory}) # compilers pass over their own directories, which -isystem would reorder
 endforeach()
