@@ -12,7 +12,7 @@ if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
     set(studio_figure ${figure_dir}/studio_10.png)
     add_custom_command(OUTPUT ${studio_figure}
       COMMAND ${CMAKE_COMMAND} -E env REEBQUAD_PROGRAM=$<TARGET_FILE:reebquad> CHROMIUM=${CHROMIUM_PROGRAM}
-        STUDIO_PAGE_DIR=${PROJECT_BINARY_DIR}/src/studio/page STUDIO_ARTEFACTS=${figure_dir}
+        STUDIO_PAGE_DIR=${PROJECT_BINARY_DIR}/src/studio/page STUDIO_ARTEFACTS=${figure_dir} STUDIO_PICTURES=1
         ${NODE_PROGRAM} ${PROJECT_SOURCE_DIR}/test/studio/tour.mjs
       DEPENDS reebquad ${PROJECT_SOURCE_DIR}/test/studio/tour.mjs ${PROJECT_SOURCE_DIR}/test/studio/harness.mjs
       COMMENT "Taking pictures of the studio" VERBATIM)

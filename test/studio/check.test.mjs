@@ -11,7 +11,7 @@ after(() => studio.close());
 
 const tail = async () => (await studio.state()).history.map((step) => step.edit.edit);
 const answer = (id) => studio.page.click(`dialog.question [data-answer="${id}"]`);
-const measured = () => studio.page.waitForFunction(() => window.studio.store.get("deviation"), null, { timeout: 60000 });
+const measured = () => studio.page.waitForFunction(() => window.studio.store.get("deviation"));
 const critical = (kind) => studio.page.evaluate((k) => window.studio.stage.critical.filter((c) => c.kind === k).map((c) => c.position.toArray()), kind);
 
 test("a design is begun by hand, without a suggestion", async () => {
@@ -50,7 +50,7 @@ test("the number of quads is what was typed; what was typed wrongly is refused w
   const steps = (await tail()).length;
   await studio.page.fill("#quads", "-5");
   await studio.page.press("#quads", "Enter");
-  assert.match(await studio.toast(), /lies between 50 and 1/);
+  await studio.told(/lies between 50 and 1/);
   await studio.page.fill("#quads", "400");
   const state = await studio.after(() => studio.page.press("#quads", "Enter"));
   assert.equal(state.facts.target_quads, 400);
@@ -61,7 +61,8 @@ test("the number of quads is what was typed; what was typed wrongly is refused w
   await studio.page.fill("#quads", "900");
   await studio.page.press("#quads", "Control+z");
   await studio.page.locator("#quads").blur();
-  await studio.page.waitForTimeout(300);
+  await studio.settle();
+  await studio.quiet();
   assert.equal(await studio.page.inputValue("#quads"), "400");
   assert.equal((await tail()).length, steps + 2);
   assert.equal((await studio.state()).applied, steps + 2);
@@ -89,24 +90,20 @@ test("how far quads and surface are from each other is told in units and per cen
 });
 
 test("its colours are on the surface, under the quads' edges, and the worst places are flown to", async () => {
-  const canvas = async () => (await studio.page.locator(".canvas canvas").screenshot()).toString("base64");
   await studio.view("surface");
-  await studio.settle();
-  const plain = await canvas();
+  const plain = await studio.drawn();
   await studio.view("deviation");
-  await studio.settle();
-  assert.notEqual(await canvas(), plain);
+  assert.notEqual(await studio.drawn(), plain);
   const shown = await studio.page.evaluate(() => ({ mode: window.studio.stage.surface.material.uniforms.mode.value, edges: window.studio.stage.wireframe.object.visible }));
   assert.deepEqual(shown, { mode: 3, edges: true });
   await studio.picture("deviation_dark");
-  const before = await canvas();
+  const before = await studio.drawn();
   await studio.page.selectOption("#deviation-scale", "4");
-  await studio.settle();
-  assert.notEqual(await canvas(), before);
+  assert.notEqual(await studio.drawn(), before);
   const row = studio.page.locator(".place-list .finding").last();
   const place = (await row.getAttribute("data-place")).split(" ").map(Number);
   await row.click();
-  await studio.page.waitForFunction((p) => Math.hypot(...window.studio.viewport.controls.target.toArray().map((x, i) => x - p[i])) < 1e-3, place, { timeout: 20000 });
+  await studio.page.waitForFunction((p) => Math.hypot(...window.studio.viewport.controls.target.toArray().map((x, i) => x - p[i])) < 1e-3, place);
   await studio.picture("deviation_worst");
 });
 
@@ -138,10 +135,9 @@ async function dragTo(from, to) {
   await studio.page.mouse.down();
   for (let i = 1; i <= 6; ++i) {
     await studio.page.mouse.move(begin.x + ((end.x - begin.x) * i) / 6, begin.y + ((end.y - begin.y) * i) / 6);
-    await studio.page.waitForTimeout(120);
+    await studio.settle();
   }
 }
-const quiet = () => studio.page.waitForFunction(() => window.studio.store.get("state").finished && !window.studio.store.get("busy"), null, { timeout: 30000 });
 
 test("a place that is refused is red while dragging; let go there, everything is as before the drag", async () => {
   await studio.upload(studio.shape("torus", 2500));
@@ -157,13 +153,13 @@ test("a place that is refused is red while dragging; let go there, everything is
     return seen.reduce((best, p) => (far(p) > far(best) ? p : best)).toArray();
   }, maximum);
   await dragTo(maximum, beyond);
-  await studio.page.waitForSelector(".hint-line.bad", { timeout: 20000 });
+  await studio.page.waitForSelector(".hint-line.bad");
   assert.match(await studio.page.innerText(".hint-line"), /refused/);
   assert.equal(await studio.page.locator("canvas.refused").count(), 1);
   await studio.picture("drag_refused");
   await studio.page.mouse.up();
-  assert.match(await studio.toast(), /Nothing was changed/);
-  await quiet();
+  await studio.told(/Nothing was changed/);
+  await studio.quiet();
   const state = await studio.state();
   assert.deepEqual(await tail(), ["suggest"]);
   assert.deepEqual(state.statistics, made.statistics);
@@ -180,11 +176,11 @@ test("Escape takes a drag back at once, and leaves no step", async () => {
   }, maximum);
   await studio.face(maximum, 2);
   await dragTo(maximum, aside);
-  await studio.page.waitForFunction((n) => window.studio.store.get("state").history.length > n, before.history.length, { timeout: 20000 });
+  await studio.page.waitForFunction((n) => window.studio.store.get("state").history.length > n, before.history.length);
   await studio.page.keyboard.press("Escape");
-  await studio.page.waitForFunction((n) => window.studio.store.get("state").history.length === n, before.history.length, { timeout: 5000 });
+  await studio.page.waitForFunction((n) => window.studio.store.get("state").history.length === n, before.history.length);
   await studio.page.mouse.up();
-  await quiet();
+  await studio.quiet();
   const state = await studio.state();
   assert.equal(state.applied, before.applied);
   assert.deepEqual(state.statistics, before.statistics);
@@ -196,7 +192,7 @@ test("what cannot be deleted in its chart says why and what helps", async () => 
   await studio.clickOn(maxima[0]);
   await studio.page.click("#delete-extremum");
   const sentence = maxima.length > 1 ? /in the charts around nothing would be a maximum.*whole surface/i : /the field needs at least one maximum/i;
-  await studio.page.locator(".toast", { hasText: sentence }).waitFor();
+  await studio.told(sentence);
 });
 
 test("one word for one thing, and no letters smaller than 12 pixels", async () => {

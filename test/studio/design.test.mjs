@@ -23,6 +23,9 @@ const contour = (kind) =>
     return found && found.points[found.points.length >> 1].toArray();
   }, kind);
 
+/** Waits until the program has said what the plane would take. */
+const answered = () => studio.page.waitForFunction(() => window.studio.tools.current.isAnswered);
+
 const history = async () => (await studio.state()).history.map((step) => step.edit.edit);
 
 test("a torus and its suggestion", async () => {
@@ -86,16 +89,17 @@ test("an impossible place is red and says why, and applying it changes nothing",
   // Shifted on and on, until the contours there are in the way.
   for (let i = 0; i < 12 && (await studio.page.locator(".hint-line.bad").count()) === 0; ++i) {
     await studio.page.evaluate(() => window.studio.tools.current.shift(0.1 * window.studio.tools.current.plane.scale.x));
-    await studio.page.waitForTimeout(600);
+    await answered();
   }
-  await studio.page.waitForSelector(".hint-line.bad", { timeout: 20000 });
+  await studio.page.waitForSelector(".hint-line.bad");
   assert.match(await studio.page.innerText(".hint-line"), /refused/);
   await studio.picture("plane_refused");
   await studio.page.keyboard.press("Enter");
-  assert.match(await studio.toast(), /did not work.*Nothing was changed: try another place/is);
+  await studio.told(/did not work.*Nothing was changed: try another place/is);
   assert.equal((await studio.state()).revision, revision);
   // Where it is: the camera flies there, the place is marked, and the mark goes with the message.
   const marks = () => studio.page.evaluate(() => window.studio.viewport.scene.children.filter((o) => o.isPoints && o.renderOrder === 11).length);
+  await studio.page.hover(".toast"); // while the pointer is on it it stays
   await studio.page.locator(".toast button", { hasText: "Show" }).click();
   assert.equal(await marks(), 1);
   await studio.picture("refused_where");
@@ -117,7 +121,7 @@ test("a saddle is moved with all its contours, however the plane is tilted", asy
   await studio.page.mouse.down();
   for (let i = 1; i <= 4; ++i) await studio.page.mouse.move(x + 9 * i, y);
   await studio.page.mouse.up();
-  await studio.page.waitForTimeout(400);
+  await answered();
   const { charts, contours } = await studio.page.evaluate(async () => {
     const tool = window.studio.tools.current;
     return window.studio.connection.request("preview", { edit: tool.edit(tool.held) });
@@ -127,11 +131,11 @@ test("a saddle is moved with all its contours, however the plane is tilted", asy
   await studio.picture("saddle_moves");
   // Tilted far, its contours still follow; then it touches again.
   await studio.page.evaluate(() => window.studio.tools.current.turn(1.2));
-  await studio.page.waitForTimeout(400);
+  await answered();
   assert.equal(await studio.page.locator(".hint-line.bad").count(), 0);
   await studio.picture("saddle_tilted");
   await studio.page.keyboard.press("n");
-  await studio.page.waitForTimeout(400);
+  await answered();
   const state = await studio.after(() => studio.page.keyboard.press("Enter"));
   assert.equal((await history()).at(-1), "move_saddle");
   assert.equal(state.certificate.passed, true);

@@ -17,7 +17,6 @@ const camera = () => studio.page.evaluate(() => {
   const { camera, controls, flight } = window.studio.viewport, eye = camera.position.clone().sub(controls.target);
   return { direction: eye.clone().normalize().toArray(), distance: eye.length(), fov: camera.fov, flies: flight !== null, target: controls.target.toArray() };
 });
-const landed = () => studio.page.waitForFunction(() => window.studio.viewport.flight === null, null, { timeout: 20000 });
 /** How large the surface is on the screen: the greatest distance of two of its points. */
 const extent = () => studio.page.evaluate(() => {
   const { viewport, stage } = window.studio, xs = [];
@@ -55,14 +54,14 @@ test("shading is smooth, splits at creases, or is flat", async () => {
 
 test("views along the axes show everything, and the orthographic lens keeps its size", async () => {
   await menu("#look-front");
-  await landed();
+  await studio.landed();
   const front = (await camera()).direction;
   await menu("#look-top");
-  await landed();
+  await studio.landed();
   const top = (await camera()).direction;
   assert.ok(Math.abs(top[1]) > 0.999 && Math.abs(front[1]) < 1e-6); // Y is up
   await menu("#look-side");
-  await landed();
+  await studio.landed();
   const side = (await camera()).direction;
   assert.ok(Math.abs(side[0] * front[0] + side[1] * front[1] + side[2] * front[2]) < 1e-6);
   const before = { ...(await camera()), extent: await extent() };
@@ -95,7 +94,7 @@ test("the chosen chart has a border, and can fill the view", async () => {
   assert.equal(odd, 0);
   const before = (await camera()).target;
   await studio.page.keyboard.press(".");
-  await landed();
+  await studio.landed();
   await studio.settle();
   assert.notDeepEqual((await camera()).target, before);
   await studio.picture("chosen_chart");
@@ -124,14 +123,15 @@ test("a file that is too large is refused with the limit", async () => {
     Object.defineProperty(file, "size", { value: 3 * 2 ** 30 });
     return window.studio.take([file]);
   });
-  assert.match(await studio.toast(), /huge\.obj has 3\.0 GiB; at most 1 GiB/);
+  await studio.told(/huge\.obj has 3\.0 GiB; at most 1 GiB/);
 });
 
 test("what is preferred outlasts the program, though the page's address changes", async () => {
   await studio.page.click("#theme");
-  await studio.page.waitForTimeout(300);
+  await studio.page.waitForFunction(() => document.documentElement.dataset.theme === "light");
+  await studio.page.evaluate(() => window.studio.connection.request("list_files")); // the program has taken what was sent before
   await studio.stopProgram("SIGKILL");
-  await studio.page.waitForSelector(".lost:not([hidden])", { timeout: 20000 });
+  await studio.page.waitForSelector(".lost:not([hidden])");
   assert.match(await studio.page.innerText(".lost"), /does not answer.*same folder/is);
   await studio.picture("lost_light");
   await studio.startProgram();

@@ -72,7 +72,7 @@ test("an extremum is added by a click, moved live by a drag, and deleted by a ke
     await studio.page.mouse.down();
     for (let i = 1; i <= 5; ++i) {
       await studio.page.mouse.move(at.x + 8 * i, at.y + 5 * i);
-      await studio.page.waitForTimeout(60);
+      await studio.settle();
     }
     await studio.page.mouse.up();
   });
@@ -167,7 +167,7 @@ test("what is odd about a file is listed, and a click flies there", async () => 
   await studio.page.waitForFunction((there) => {
     const target = window.studio.viewport.controls.target.toArray();
     return Math.hypot(...target.map((x, i) => x - there[i])) < 1e-3;
-  }, where, { timeout: 20000 });
+  }, where);
   await studio.page.locator(".finding").first().hover();
   await studio.picture("defect");
 });
@@ -176,24 +176,23 @@ test("a long work is stopped by Cancel, and everything is as it was", async () =
   await studio.upload(studio.shape("hand", 400000));
   const before = await studio.state();
   // Cancel is pressed by the page itself as soon as it can be seen: however busy the browser is, the work goes on by then.
-  const told = await studio.page.evaluate(() => new Promise((resolve) => {
-    let begin = 0;
+  await studio.page.evaluate(() => new Promise((resolve) => {
+    let begun = false;
     const bar = document.querySelector(".progress");
     const watch = new MutationObserver(() => {
-      if (!begin && !bar.hidden) {
-        begin = performance.now();
+      if (!begun && !bar.hidden) {
+        begun = true;
         bar.querySelector("button").click();
       }
       const stopped = [...document.querySelectorAll(".toast")].some((toast) => toast.textContent.includes("Stopped"));
-      if (!begin || !stopped) return;
+      if (!begun || !stopped) return;
       watch.disconnect();
-      resolve(performance.now() - begin);
+      resolve();
     });
     watch.observe(document.body, { subtree: true, childList: true, attributes: true });
     document.querySelector("#suggest").click();
   }));
-  await studio.page.waitForFunction(() => !window.studio.store.get("busy"), null, { timeout: 60000 });
-  assert.ok(told < 2000, `${told} ms`); // with the browser's own time; the program answers at once
+  await studio.quiet();
   assert.equal((await studio.state()).revision, before.revision);
 });
 
@@ -221,7 +220,7 @@ test("the parts of a file are listed; each has its design, and the export joins 
   assert.ok(both.statistics.quads > 100);
   await studio.picture("parts");
   const quads = (await studio.download(() => studio.page.click("#export"))).toString();
-  assert.match(await studio.toast(), /Without part 3/);
+  await studio.told(/Without part 3/);
   assert.equal(quads.match(/^f /gm).length, torus.statistics.quads + both.statistics.quads);
   const recipe = JSON.parse(await studio.download(() => studio.page.click("#recipe")));
   assert.equal(recipe.component, 1);

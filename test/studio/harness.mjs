@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the program and a browser without a screen, and says in a line each what a user does.
+// Whatever is waited for is waited for as a condition, and with patience: machines of continuous integration are slow, and do other work
+// beside. What is told for a while only is noted by the page, so that nobody can come too late to read it.
 import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -10,15 +12,50 @@ const program = process.env.REEBQUAD_PROGRAM;
 export const pageModules = createRequire(join(process.env.STUDIO_PAGE_DIR, "package.json"));
 const artefacts = process.env.STUDIO_ARTEFACTS;
 mkdirSync(artefacts, { recursive: true });
-const patience = 60000;
+/** Whether pictures are kept, for people to look at: software takes a second or more for one. */
+const takesPictures = Boolean(process.env.STUDIO_PICTURES);
+/** How long anything may take, in milliseconds. */
+const patience = Number(process.env.PATIENCE ?? 150000);
 
 /** Where a picture of that name is kept. */
-export function artefact(name) {
+function artefact(name) {
   return join(artefacts, `${name}.png`);
 }
 
 export function reebquad(...args) {
   return execFileSync(program, args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+}
+
+/** A page in a context of its own, which waits with patience. */
+export async function newPage(browser, options) {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(patience);
+  await context.addInitScript(noteMessages);
+  await context.addInitScript(keepDrawing, takesPictures);
+  return context.newPage();
+}
+
+/** Keeps what a page shows as a picture of that name, where pictures are wanted. */
+export async function takePicture(page, name) {
+  if (!takesPictures) return;
+  await settle(page);
+  await page.screenshot({ path: artefact(name) });
+}
+
+/** Waits for two more pictures. */
+export function settle(page) {
+  return page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve, 60)))));
+}
+
+/** A number that is another one when something else is drawn in space: what the page has drawn last, not what it would draw. */
+export async function drawn(page) {
+  await settle(page);
+  return page.evaluate(() => {
+    const gl = document.querySelector(".canvas canvas").getContext("webgl2"), { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    const pixels = new Int32Array(width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));
+    return pixels.reduce((hash, pixel) => (Math.imul(hash, 31) + pixel) | 0, 0);
+  });
 }
 
 export class Studio {
@@ -33,15 +70,14 @@ export class Studio {
       // Software for the pictures, so that they are the same everywhere; containers have no user namespaces for the sandbox.
       args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"],
     });
-    const context = await studio.browser.newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true });
-    studio.page = await context.newPage();
+    studio.page = await newPage(studio.browser, { viewport: { width, height }, colorScheme: theme, acceptDownloads: true });
     studio.page.on("pageerror", (error) => studio.errors.push(error.message));
     studio.page.on("console", (message) => {
       if (message.type() === "error") studio.errors.push(message.text());
     });
     await studio.startProgram();
     await studio.page.goto(studio.url);
-    await studio.page.waitForFunction(() => window.studio?.store.get("connected"), null, { timeout: patience });
+    await studio.page.waitForFunction(() => window.studio?.store.get("connected"));
     return studio;
   }
 
@@ -134,7 +170,7 @@ export class Studio {
     await this.page.waitForFunction((r) => {
       const { store } = window.studio, state = store.get("state");
       return (state?.revision ?? 0) > r && state.finished !== false && !store.get("busy");
-    }, before, { timeout: patience });
+    }, before);
     return this.state();
   }
 
@@ -208,24 +244,63 @@ export class Studio {
     await this.page.mouse.click(x, y);
   }
 
-  /** Waits for two more pictures. */
-  async settle() {
-    await this.page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve, 60)))));
+  settle() {
+    return settle(this.page);
   }
-
-  async picture(name) {
-    await this.settle();
-    await this.page.screenshot({ path: artefact(name) });
+  picture(name) {
+    return takePicture(this.page, name);
+  }
+  drawn() {
+    return drawn(this.page);
   }
 
   async download(action) {
-    const [download] = await Promise.all([this.page.waitForEvent("download", { timeout: patience }), action()]);
+    const [download] = await Promise.all([this.page.waitForEvent("download"), action()]);
     return readFileSync(await download.path());
   }
 
-  async toast() {
-    const toast = this.page.locator(".toast").last();
-    await toast.waitFor({ timeout: patience });
-    return toast.innerText();
+  /** Waits until the page has told something like this, after what was told the last time that this was asked. */
+  async told(pattern) {
+    const message = await this.page.waitForFunction(([source, flags]) => {
+      const at = window.told.findIndex((text, i) => i >= window.heard && new RegExp(source, flags).test(text));
+      if (at < 0) return null;
+      window.heard = at + 1;
+      return window.told[at];
+    }, [pattern.source, pattern.flags]).catch(async (error) => {
+      throw new Error(`${pattern} was not told, but: ${JSON.stringify(await this.page.evaluate(() => window.told))}`, { cause: error });
+    });
+    return message.jsonValue();
   }
+
+  /** Waits until nothing runs, and all is relaxed. */
+  async quiet() {
+    await this.page.waitForFunction(() => window.studio.store.get("state").finished !== false && !window.studio.store.get("busy"));
+  }
+
+  /** Waits until the camera flies no more and its turn has died away. */
+  async landed() {
+    await this.page.waitForFunction(() => window.studio.viewport.flight === null && !window.studio.viewport.turns);
+  }
+
+  /** Looks at everything. */
+  async home() {
+    await this.page.keyboard.press("h");
+    await this.landed();
+  }
+}
+
+/** In the page: what was drawn can be read; and where nobody looks, edges are not smooth: software draws several times as fast so. */
+function keepDrawing(isSmooth) {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, /webgl/.test(kind) ? { ...options, antialias: isSmooth, preserveDrawingBuffer: true } : options);
+  };
+}
+
+/** In the page: keeps what it tells, though it tells it for a moment. */
+function noteMessages() {
+  [window.told, window.heard] = [[], 0];
+  new MutationObserver((changes) => {
+    for (const { addedNodes } of changes) for (const node of addedNodes) if (node.matches?.(".toast")) window.told.push(node.textContent);
+  }).observe(document, { subtree: true, childList: true });
 }

@@ -22,7 +22,7 @@ test("limbs without quads of their own are hints, with the reason", async () => 
   await studio.clickOn(tip);
   await studio.after(() => studio.page.keyboard.press("Delete"));
   await studio.tool("select");
-  await studio.page.waitForSelector(limb, { timeout: 60000 });
+  await studio.page.waitForSelector(limb);
   assert.match(await studio.page.locator(limb).first().innerText(), /add (maximum|minimum)/);
   assert.ok((await studio.page.locator(limb).first().innerText()).length > 30);
 });
@@ -33,7 +33,7 @@ test("the pointer on a hint shows where it is", async () => {
   await studio.page.hover(limb);
   assert.equal(await marks(), 1);
   await studio.page.locator(".hint-row button").nth(1).click();
-  await studio.page.waitForTimeout(500);
+  await studio.landed();
   await studio.picture("hint");
 });
 

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { statSync, writeFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
-import { artefact, reebquad, Studio } from "./harness.mjs";
+import { drawn, newPage, reebquad, Studio, takePicture } from "./harness.mjs";
 
 let studio;
 before(async () => (studio = await Studio.start()));
@@ -12,8 +12,7 @@ after(() => studio.close());
 
 /** Opens a report in a browser that has no network; what it asks for and its errors are noted. */
 async function open(file, { width = 1400, height = 860 } = {}) {
-  const context = await studio.browser.newContext({ viewport: { width, height }, colorScheme: "light", offline: true });
-  const page = await context.newPage();
+  const page = await newPage(studio.browser, { viewport: { width, height }, colorScheme: "light", offline: true });
   const asked = [], errors = [];
   page.on("request", (request) => asked.push(request.url()));
   page.on("pageerror", (error) => errors.push(error.message));
@@ -21,16 +20,7 @@ async function open(file, { width = 1400, height = 860 } = {}) {
   const url = pathToFileURL(file).href;
   await page.goto(url);
   await page.waitForFunction(() => window.report);
-  const settle = () => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve, 80)))));
-  const picture = async (name) => {
-    await settle();
-    await page.screenshot({ path: artefact(name) });
-  };
-  const canvas = async () => {
-    await settle();
-    return (await page.locator(".canvas canvas").screenshot()).toString("base64");
-  };
-  return { page, asked: () => asked.filter((u) => u !== url && !u.startsWith("blob:") && !u.startsWith("data:")), errors, picture, canvas };
+  return { page, asked: () => asked.filter((u) => u !== url && !u.startsWith("blob:") && !u.startsWith("data:")), errors, picture: (name) => takePicture(page, name), canvas: () => drawn(page) };
 }
 
 test("the report of a run", async () => {

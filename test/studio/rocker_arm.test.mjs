@@ -33,8 +33,7 @@ test("the rocker arm is designed by mouse", { skip: !existsSync(model) && "the m
     assert.equal(state.certificate.passed, true);
     assert.ok(Math.abs(state.statistics.quads - 5000) < 500);
     await studio.tool("select");
-    await studio.page.keyboard.press("h");
-    await studio.page.waitForTimeout(500);
+    await studio.home();
     await studio.view("quads");
     await studio.picture("rocker_arm_quads");
     await studio.view("atlas");

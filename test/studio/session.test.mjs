@@ -20,7 +20,7 @@ test("the token is gone from the address bar", () => assert.ok(!studio.page.url(
 test("what is no mesh is refused with a sentence", async () => {
   writeFileSync(studio.path("broken.obj"), "f 1 2 3\n");
   await studio.page.setInputFiles("#file-input", studio.path("broken.obj"));
-  assert.match(await studio.toast(), /line 1/);
+  await studio.told(/line 1/);
 });
 
 test("a mesh is opened by upload", async () => {
@@ -43,8 +43,7 @@ test("every view shows something else", async () => {
   const seen = new Set();
   for (const view of ["surface", "field", "atlas", "quads", "quality"]) {
     await studio.view(view);
-    await studio.settle();
-    seen.add((await studio.page.locator(".canvas canvas").screenshot()).toString("base64"));
+    seen.add(await studio.drawn());
     await studio.picture(`view_${view}`);
   }
   assert.equal(seen.size, 5);
@@ -65,27 +64,23 @@ test("keys switch layers", async () => {
 });
 
 test("every layer can be seen", async () => {
-  const canvas = async () => (await studio.page.locator(".canvas canvas").screenshot()).toString("base64");
   const ids = await studio.page.evaluate(() => [...document.querySelectorAll("[data-layer]")].map((e) => e.dataset.layer));
   assert.equal(ids.length, 14);
   await studio.page.waitForFunction(() => window.studio.store.get("deviation"));
   for (const id of ids) {
     await studio.view(id === "valences" || id === "quads" ? "surface" : id === "surface" ? "quads" : "surface");
-    await studio.settle();
-    const before = await canvas();
+    const before = await studio.drawn();
     await studio.page.click(`[data-layer="${id}"]`);
-    await studio.settle();
-    assert.notEqual(await canvas(), before, id);
+    assert.notEqual(await studio.drawn(), before, id);
     await studio.picture(`layer_${id}`);
   }
 });
 
 test("a bar of the histogram lights its quads", async () => {
   await studio.view("quality");
-  const before = await studio.page.locator(".canvas canvas").screenshot();
+  const before = await studio.drawn();
   await studio.page.locator(".bar:not([disabled])").last().click();
-  await studio.settle();
-  assert.notDeepEqual(await studio.page.locator(".canvas canvas").screenshot(), before);
+  assert.notEqual(await studio.drawn(), before);
   await studio.picture("quality_lit");
   await studio.page.locator(".bar:not([disabled])").first().click(); // few, which are seen from everywhere
   const segments = () => studio.page.evaluate(() => { const { litEdges } = window.studio.stage.quads; return litEdges.object.visible ? litEdges.segments : 0; });
@@ -127,7 +122,7 @@ test("a program that was killed offers the session and exports the same bytes", 
   await studio.startProgram();
   await studio.page.goto(studio.url);
   await studio.page.click("#restore");
-  await studio.page.waitForFunction(() => window.studio?.store.get("state")?.statistics, null, { timeout: 60000 });
+  await studio.page.waitForFunction(() => window.studio?.store.get("state")?.statistics);
   await studio.page.waitForFunction(() => !window.studio.store.get("busy"));
   assert.ok(before.equals(await studio.download(() => studio.page.click("#export"))));
 });
@@ -152,8 +147,7 @@ test("the camera is moved by keys and by two fingers on a touchpad", async () =>
     return camera();
   };
   const { keyboard, mouse } = studio.page;
-  await keyboard.press("h");
-  await studio.page.waitForTimeout(500);
+  await studio.home();
   await studio.page.focus(".canvas canvas");
   const begin = await camera(), turned = await after(() => keyboard.press("Shift+ArrowLeft"));
   assert.ok(far(turned.direction, begin.direction) > 0.01);
@@ -167,19 +161,17 @@ test("the camera is moved by keys and by two fingers on a touchpad", async () =>
   const zoomed = await after(() => mouse.wheel(0, -200));
   assert.ok(zoomed.distance < slid.distance);
   await mouse.dblclick(600, 430);
-  await studio.page.waitForTimeout(500);
+  await studio.landed();
   const focused = await camera();
   assert.ok(far(focused.target, zoomed.target) > 0.01 && focused.distance < zoomed.distance);
-  await keyboard.press("h");
-  await studio.page.waitForTimeout(500);
+  await studio.home();
 });
 
 test("the page stays usable at 200 %", async () => {
   for (const [name, width, height] of [["narrow", 700, 860], ["enlarged", 700, 430]]) {
     await studio.page.setViewportSize({ width, height });
     await studio.tool("plane");
-    await studio.page.keyboard.press("h");
-    await studio.page.waitForTimeout(500);
+    await studio.home();
     await studio.picture(name);
     for (const control of ["#open", "#export", "#apply-plane", '[data-view="quality"]']) assert.ok(await studio.page.isVisible(control), control);
     const canvas = await studio.page.locator(".canvas").boundingBox(), box = await studio.page.locator(".tool-box").boundingBox();

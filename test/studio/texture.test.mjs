@@ -94,7 +94,7 @@ test("a vertex is dragged with a brush in the square: one step, live", async () 
     await studio.page.mouse.down();
     for (let i = 1; i <= 5; ++i) {
       await studio.page.mouse.move(plane.x + 2 * i, plane.y + 2 * i);
-      await studio.page.waitForTimeout(40);
+      await studio.settle();
     }
     await studio.page.mouse.up();
   });
@@ -147,9 +147,8 @@ test("what is impossible is refused with its reason and changes nothing", async 
   await operator("remove_doublet");
   const { plane } = await innerVertex(0.5);
   const { revision } = await studio.state();
-  await studio.page.evaluate(() => document.querySelectorAll(".toast").forEach((toast) => toast.remove()));
   await studio.page.mouse.click(plane.x, plane.y);
-  assert.match(await studio.toast(), /did not work/i);
+  await studio.told(/did not work/i);
   assert.equal((await studio.state()).revision, revision);
   await studio.picture("texture_refused");
 });

@@ -275,8 +275,10 @@ void Hub::resume() {
 void Hub::upload(std::string name, std::string bytes, Download done_) {
   enqueue(
       [name = std::move(name), bytes = std::move(bytes)](Session& session, Worker::Observer& observer) {
-        return done(is_recipe(name) ? session.open_recipe(name, bytes, observer)
-                                    : session.open_upload(name, bytes, observer));
+        const Result<void> taken = is_recipe(name) ? session.open_recipe(name, bytes, observer)
+                                                   : session.open_upload(name, bytes, observer);
+        if (!taken) return Result<Json>(taken.error());
+        return Result<Json>(Json{{"revision", session.revision()}});
       },
       [done_](Result<Json> result) {
         if (result)

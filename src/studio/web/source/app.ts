@@ -169,24 +169,28 @@ export class App implements Workbench {
     return line?.[line.length >> 1] ?? null;
   }
 
-  async upload(file: File): Promise<void> {
+  /** Whether it was opened. */
+  async upload(file: File): Promise<boolean> {
     if (file.size > largestUpload) {
       const text = `${file.name} has ${(file.size / 2 ** 30).toFixed(1)} GiB; at most 1 GiB can be sent. Put it into the folder of the program and open it from there: that takes up to 4 GiB.`;
-      return this.toasts.show("The file is too large", text, "bad");
+      this.toasts.show("The file is too large", text, "bad");
+      return false;
     }
     try {
       this.store.set("busy", { stage: `sending ${file.name}`, fraction: 0 });
       await this.connection.upload(file);
+      return true;
     } catch (error) {
       this.store.set("busy", null);
       this.tell(error);
+      return false;
     }
   }
 
   /** Files that were chosen or dropped: a mesh, a recipe, or both, which belong together then. */
   async take(files: readonly File[]): Promise<void> {
     const recipe = files.find(isRecipe), mesh = files.find((file) => !isRecipe(file));
-    if (mesh) await this.upload(mesh);
+    if (mesh && !(await this.upload(mesh))) return;
     if (recipe) await this.openRecipe(recipe.name, () => this.upload(recipe));
   }
 

@@ -52,6 +52,10 @@ export class Connection {
   private attempts = 0;
   private waiting = new Map<number, { resolve: (value: unknown) => void; reject: (error: Error) => void }>();
 
+  /** The newest state's revision, and who waits for one to come. */
+  private revision = -1;
+  private awaited: { revision: number; resolve: () => void; reject: (error: Error) => void }[] = [];
+
   /** The layers as they are, for messages that say what changed of them. */
   private layers = new Map<string, Frame>();
 
@@ -59,6 +63,7 @@ export class Connection {
 
   open(): void {
     this.layers.clear();
+    this.revision = -1;
     const socket = new WebSocket(`ws://${location.host}/api/socket`, ["reebquad", secret()].filter((name) => name !== ""));
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
@@ -83,9 +88,16 @@ export class Connection {
     return this.request("edit", { edit, live });
   }
 
+  /** Sends a file; done when the state that it made has been taken. The answer comes by another way than the state, so either may be first. */
   async upload(file: File): Promise<void> {
     const answer = await fetch(`/api/upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, headers: withSecret() });
     if (!answer.ok) throw new Error(await sentenceOf(answer));
+    await this.stateOf(((await answer.json()) as { revision: number }).revision);
+  }
+
+  private stateOf(revision: number): Promise<void> {
+    if (this.revision >= revision) return Promise.resolve();
+    return new Promise((resolve, reject) => this.awaited.push({ revision, resolve, reject }));
   }
 
   async download(what: string): Promise<Blob> {
@@ -102,11 +114,19 @@ export class Connection {
       this.waiting.delete(message.reply);
       if (message.ok) entry?.resolve(message.result);
       else entry?.reject(new RequestError(message.error));
-    } else if (message.event === "state") this.listener.state(message);
+    } else if (message.event === "state") this.takeState(message);
     else if (message.event === "progress") this.listener.progress(message.stage, message.fraction);
     else if (message.event === "no_layer") this.listener.layerGone(message.layer);
     else if (message.event === "hello") this.listener.preferences(message.preferences ?? {});
     else if (message.event === "trouble") this.listener.trouble(message.message);
+  }
+
+  private takeState(state: State): void {
+    this.revision = state.revision;
+    this.listener.state(state);
+    const come = this.awaited.filter((entry) => entry.revision <= state.revision);
+    this.awaited = this.awaited.filter((entry) => entry.revision > state.revision);
+    for (const { resolve } of come) resolve();
   }
 
   private takeFrame(message: Frame): void {
@@ -117,8 +137,9 @@ export class Connection {
 
   private lost(): void {
     this.listener.connected(false);
-    for (const { reject } of this.waiting.values()) reject(new Error("The connection to the program was lost."));
+    for (const { reject } of [...this.waiting.values(), ...this.awaited]) reject(new Error("The connection to the program was lost."));
     this.waiting.clear();
+    this.awaited = [];
     const delay = Math.min(5000, 250 * 2 ** this.attempts++);
     setTimeout(() => this.open(), delay);
   }

@@ -44,6 +44,8 @@ export class PlaneTool implements Tool {
   private refusal = "";
   private timer = 0;
   private question = 0;
+  /** Whether the program has said what it would make of the plane as it is. */
+  isAnswered = false;
 
   constructor(private readonly app: Workbench) {
     this.plane = new THREE.Mesh(
@@ -272,6 +274,7 @@ export class PlaneTool implements Tool {
     this.setRefusal("");
     clearTimeout(this.timer);
     ++this.question;
+    this.isAnswered = false;
     if (ask && this.held) this.timer = window.setTimeout(() => void this.askProgram(), previewDelay);
     this.app.viewport.invalidate();
   }
@@ -282,10 +285,15 @@ export class PlaneTool implements Tool {
     if (!held) return;
     try {
       const { contours } = (await this.app.connection.request("preview", { edit: this.edit(held) })) as { contours: number[][] };
-      if (isAsked()) this.show(contours);
+      if (!isAsked()) return;
+      this.show(contours);
     } catch (error) {
-      if (isAsked() && !(error instanceof RequestError && error.failure.cancelled)) this.setRefusal(error instanceof Error ? error.message : String(error));
+      if (!isAsked()) return;
+      // Another request took its turn: asked again behind that.
+      if (error instanceof RequestError && error.failure.cancelled) return void (this.timer = window.setTimeout(() => void this.askProgram(), previewDelay));
+      this.setRefusal(error instanceof Error ? error.message : String(error));
     }
+    this.isAnswered = true;
   }
 
   /** Shows the contours that the program would make, each x, y, z of its points; the saddle goes to where they meet. */

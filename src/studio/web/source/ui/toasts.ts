@@ -24,7 +24,12 @@ export class Toasts {
     close.onclick = remove;
     this.element.append(toast);
     while (this.element.children.length > 4) this.element.firstElementChild?.remove();
-    setTimeout(remove, mood === "bad" ? 14000 : 5000);
+    // Who points at a message, or has come to it with the keyboard, still reads it.
+    const leave = (): void => {
+      if (toast.matches(":hover, :focus-within")) setTimeout(leave, 1000);
+      else remove();
+    };
+    setTimeout(leave, mood === "bad" ? 14000 : 5000);
   }
 
   /** Takes away what was told to have failed: something has worked since. */
