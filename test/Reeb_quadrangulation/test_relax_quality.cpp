@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Relaxing never makes a mesh worse, whatever it is given.
+#include <CGAL/Reeb_quadrangulation/finish_quads.h>
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
 #include <CGAL/Reeb_quadrangulation/shapes.h>
@@ -9,6 +10,8 @@
 #include "tiny_surfaces.h"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 using namespace CGAL::Reeb_quadrangulation;
 
@@ -43,7 +46,52 @@ void check_relaxing(Quad_mesh mesh, const Triangle_surface& s, bool anchors) {
     if (fixed[v]) CHECK(mesh.points[v] == points[v]);
 }
 
+/// n x n quads above a square of side 8.
+template <class Height> Quad_mesh plate(int n, const Height& height) {
+  Quad_mesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const double x = 8.0 * i / n, y = 8.0 * j / n;
+      mesh.points.emplace_back(x, y, height(x, y));
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int v = j * (n + 1) + i;
+      mesh.quads.push_back({v, v + 1, v + n + 2, v + n + 1});
+    }
+  return mesh;
+}
+
 } // namespace
+
+TEST_CASE("a spike between the vertices gets one of them, held vertices stay, and no quad becomes poor") {
+  const Point tip(4.5, 4.375, 1.5);
+  const auto spike = [&](double x, double y) {
+    return std::max(0.0, tip.z() * (1 - std::hypot(x - tip.x(), y - tip.y()) / 0.9));
+  };
+  const Triangle_surface s = tiny::connected(tiny::triangulated(plate(64, spike)));
+  const Surface_projector projector(s);
+  const Quad_mesh flat = plate(8, [](double, double) { return 0.0; });
+  Quad_mesh relaxed = flat;
+  REQUIRE(relax_quads(relaxed, projector));
+  REQUIRE(tiny::distance_to_quads(tip, relaxed) > 0.8);
+  Snap_options no_features;
+  no_features.feature_angle = 0;
+  const Result<Finished_quads> finished = finish_quads(flat, projector, {}, no_features);
+  REQUIRE(finished);
+  CHECK(tiny::distance_to_quads(tip, finished->mesh) < 0.5);
+  const Mesh_statistics after = quad_statistics(finished->mesh);
+  CHECK(after.scaled_jacobian.minimum > 0.35);
+  CHECK(finished->relaxation.worst_after == Approx(after.scaled_jacobian.minimum));
+  CHECK(finished->relaxation.mean_after == Approx(after.scaled_jacobian.mean));
+  CHECK(finished->relaxation.inverted_after == 0);
+
+  std::vector<int> all;
+  for (int v = 0; v < int(flat.points.size()); ++v) all.push_back(v);
+  const Result<Finished_quads> still = finish_quads(flat, projector, {}, no_features, nullptr, all);
+  REQUIRE(still);
+  CHECK(still->mesh.points == flat.points);
+}
 
 TEST_CASE("shaken a little or a lot, with anchors or without: the worst quad and the mean never get worse") {
   tiny::Random random(17);

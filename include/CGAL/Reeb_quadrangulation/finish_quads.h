@@ -18,8 +18,8 @@ struct Finished_quads {
   Snap_report features;
 };
 
-/// The last stage: relaxes quads on the input surface; where `features.feature_angle > 0`, moves vertices
-/// onto sharp edges and relaxes again with these held. The vertices in `held` stay where they are.
+/// The last stage: relaxes quads on the surface, where `features.feature_angle > 0` again on sharp edges; at
+/// last, with `untangle`, vertices go to places far from all quads. Those in `held` stay where they are.
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
                                     const Relax_options& relaxation = {}, const Snap_options& features = {},
                                     Observer* observer = nullptr, const std::vector<int>& held = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/blame.h"
 #include "features/snap_to_chains.h"
+#include "relax/reach.h"
 #include "relax/relax_state.h"
 
 #include <CGAL/Reeb_quadrangulation/kept_features.h>
@@ -58,9 +59,22 @@ public:
       : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_features(features),
         m_is_given(true), m_observer(observer), m_held(held) {}
 
+  // At last vertices go to where the surface is far from all quads.
+  Result<Finished_quads> run(Quad_mesh mesh) const {
+    Result<Finished_quads> quads = relaxed(std::move(mesh));
+    if (!quads || !m_relaxation.untangle || m_relaxation.iterations == 0) return quads;
+    if (m_observer) m_observer->progress("reach", 0);
+    relaxation::reach(quads->mesh, m_projector, designed(quads->mesh), m_relaxation, quads->relaxation,
+                      m_observer);
+    if (m_observer && m_observer->cancelled())
+      return make_error(Error_code::cancelled, "stopped while relaxing");
+    return quads;
+  }
+
+private:
   // Quads are first relaxed without regard to sharp edges. Of the ways onto these that
   // make them no worse, the one that is worth most is taken.
-  Result<Finished_quads> run(Quad_mesh mesh) const {
+  Result<Finished_quads> relaxed(Quad_mesh mesh) const {
     Finished_quads plain;
     plain.mesh = std::move(mesh);
     Finished_quads freer = plain; // what lies on sharp edges may go too, where quads are bad otherwise
@@ -83,7 +97,6 @@ public:
     return best ? std::move(best->quads) : std::move(plain);
   }
 
-private:
   // Quads on features, and how much of these they keep.
   struct Candidate {
     Finished_quads quads;
