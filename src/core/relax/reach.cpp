@@ -28,10 +28,10 @@ constexpr double good_quad = 0.5, fair_quad = 0.35;
 constexpr double worth_it = 0.05;
 
 // Each round moves vertices that have no quad in common; the last ones hardly find any.
-constexpr int rounds = 8;
+constexpr int reach_rounds = 8;
 
 // Rings of quads that give way around moved vertices, how often, and how good they should get.
-constexpr int rings = 2, sweeps = 2, untangling = 2;
+constexpr int reach_rings = 2, sweeps = 2, untangling = 2;
 constexpr double wanted = 0.6;
 
 // Of the surface's vertices about so many are samples, for each quad, and large triangles are divided until
@@ -40,7 +40,7 @@ constexpr double vertices_per_quad = 8, spacing = 0.5;
 constexpr int finest = 64;
 
 // So often vertices are taken back where quads got defects, each time with more around them.
-constexpr int withdrawals = 4;
+constexpr int reach_withdrawals = 4;
 
 struct Sample {
   Point point;
@@ -86,7 +86,7 @@ public:
   bool run(Observer* observer) {
     bool moved = false;
     std::vector<char> pulled(std::size_t(m_state.number_of_vertices()), 0);
-    for (int round = 0; round < rounds && !(observer && observer->cancelled()); ++round) {
+    for (int round = 0; round < reach_rounds && !(observer && observer->cancelled()); ++round) {
       measure();
       std::vector<char> busy(m_state.mesh.quads.size(), 0);
       bool any = false;
@@ -284,7 +284,7 @@ private:
 
   void give_way(const std::vector<char>& pulled) {
     std::vector<char> mask = pulled;
-    for (int ring = 0; ring < rings; ++ring) {
+    for (int ring = 0; ring < reach_rings; ++ring) {
       const std::vector<char> inner = mask;
       for (const Quad& q : m_state.mesh.quads)
         if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
@@ -316,7 +316,7 @@ std::vector<int> without_new_defects(State& state, const State::Snapshot& snapsh
                                      const std::vector<int>& before) {
   std::vector<int> now = count_defects(state);
   std::vector<int> more(now.size());
-  for (int i = 0; i < withdrawals; ++i) {
+  for (int i = 0; i < reach_withdrawals; ++i) {
     for (std::size_t q = 0; q < now.size(); ++q) more[q] = std::max(0, now[q] - before[q]);
     if (std::count(more.begin(), more.end(), 0) == std::ptrdiff_t(more.size())) return now;
     const Regions spoilt(state, more, 1 + 2 * i);
