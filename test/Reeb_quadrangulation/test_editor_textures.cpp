@@ -105,7 +105,7 @@ TEST_CASE("the elements meant are those of the texture that are nearest") {
   CHECK(valences(editor) == expected);
 }
 
-TEST_CASE("a doublet comes and goes") {
+TEST_CASE("a doublet of a design comes and goes") {
   Editor editor = sphere_session();
   const Bytes before = bytes_of(editor);
   const int q = quad_near(editor, equator);

@@ -86,7 +86,7 @@ TEST_CASE("extrema are interior vertices, different, and as far apart as asked")
     for (std::size_t j = 0; j < i; ++j) CHECK((s.points[v[i]] - s.points[v[j]]).norm() > r / 2);
 }
 
-TEST_CASE("what cannot be done is refused with a reason") {
+TEST_CASE("a suggestion that cannot be made is refused with a reason") {
   const Triangle_surface good = tiny::octahedron();
   const auto code = [](const Triangle_surface& s, const Suggestion_options& o = {}) {
     const auto result = suggest_extrema(s, o);
