@@ -175,11 +175,12 @@ test("counts of a chart by its box, and its texture beside it", async () => {
   await studio.tool("select");
   const tube = (await studio.state()).facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
   await studio.page.click(`[data-chart="${tube.id}"]`);
-  await studio.page.waitForSelector(".chart-view:not([hidden])");
   await studio.page.fill("#rows", String(tube.rows + 3));
   const state = await studio.after(() => studio.page.press("#rows", "Enter"));
   assert.equal(state.facts.charts.find((c) => c.id === tube.id).rows, tube.rows + 3);
-  await studio.view("atlas");
+  await studio.page.click("#open-texture");
+  await studio.page.waitForSelector(".chart-view:not([hidden])");
+  assert.equal(await studio.page.evaluate(() => window.studio.store.get("chart")), tube.id);
   await studio.face(await studio.insideTallestTube());
   await studio.page.hover(".chart-view canvas");
   await studio.picture("chart_view");

@@ -199,6 +199,7 @@ export class Studio {
   async lookAt(point, from, radii = 2.6) {
     await this.page.evaluate(([p, d, r]) => {
       const { viewport, stage } = window.studio;
+      viewport.flight = null;
       viewport.controls.target.set(...p);
       viewport.camera.position.set(...p).add(viewport.controls.target.clone().set(...d).setLength(r * stage.surface.radius));
       viewport.controls.target.set(...p);

@@ -36,6 +36,7 @@ import { askName, question } from "./ui/question";
 import { partsPanel } from "./ui/parts_panel";
 import { progressBar } from "./ui/progress";
 import { qualityPanel } from "./ui/quality_panel";
+import { splitBar } from "./ui/split";
 import { statusBar } from "./ui/status_bar";
 import { Thumbnails } from "./ui/thumbnails";
 import { elementName, plain } from "./ui/words";
@@ -55,6 +56,14 @@ const largestUpload = 2 ** 30;
 
 /** Commands after which an earlier failure is of no interest. */
 const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "open_recipe", "component"]);
+
+/** The elements that parts of the page fill. */
+interface Hosts {
+  canvasHost: HTMLElement;
+  middle: HTMLElement;
+  hintLine: HTMLElement;
+  toolHost: HTMLElement;
+}
 
 export class App implements Workbench {
   readonly store = new Store();
@@ -89,21 +98,22 @@ export class App implements Workbench {
     this.preferences = new Preferences(this.connection);
     this.drags = new DragEdits(this.connection, (error) => this.tell(error), (reason) => this.tools.tellRefusal(reason && plain(reason)));
     const canvasHost = h("div", { className: "canvas" });
-    const overlay = h("div", { className: "overlay" });
     const openMesh = openDialog({
       connection: this.connection, store: this.store, take: (file) => void this.take([file]), openMesh: (name) => void this.openFile(name),
       openRecipe: (name) => void this.openRecipe(name, () => this.ask("open_recipe", { name })), restore: (digest) => void this.ask("restore", { digest }),
     });
     this.toasts = new Toasts();
-    const help = this.makeShell(root, canvasHost, overlay, openMesh);
+    const middle = h("main", { className: "middle" }), hintLine = h("div", { className: "hint-line", role: "status" }), toolHost = h("div", { className: "tool-host" });
+    const help = this.makeShell(root, { canvasHost, middle, hintLine, toolHost }, openMesh);
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
     this.thumbnails = new Thumbnails(this.connection, () => this.viewport.thumbnail());
     this.findingMark = new PlaceMark(this.viewport);
     this.toastMark = new PlaceMark(this.viewport);
-    this.tools = new ToolBox(this, overlay);
-    this.chartView = new ChartView(this);
-    overlay.append(this.chartView.panel);
+    this.tools = new ToolBox(this, hintLine, toolHost);
+    const split = splitBar(middle, this.preferences);
+    this.chartView = new ChartView(this, split);
+    middle.append(split, this.chartView.panel);
     for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
     for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
     this.tools.add(new TextureTool(this));
@@ -344,7 +354,7 @@ export class App implements Workbench {
     return [...studio, ...this.tools.shortcuts(), ...layers];
   }
 
-  private makeShell(root: HTMLElement, canvasHost: HTMLElement, overlay: HTMLElement, openMesh: () => void): HTMLButtonElement {
+  private makeShell(root: HTMLElement, { canvasHost, middle, hintLine, toolHost }: Hosts, openMesh: () => void): HTMLButtonElement {
     const help = button(icons.help, "Keys and mouse (?)");
     const toggleTheme = (): void => this.preferences.set("theme", document.documentElement.dataset.theme === "dark" ? "light" : "dark");
     const display = displayMenu(this.preferences, {
@@ -375,7 +385,7 @@ export class App implements Workbench {
     );
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
     const side = h(
-      "aside", { className: "side" },
+      "aside", { className: "side" }, toolHost,
       partsPanel(this.store, (component) => void this.ask("component", { component })),
       panel("Design", designPanel(this.store, (edit) => void this.edit(edit), (sentence) => this.toasts.show("That did not work", sentence, "bad"))),
       panel("Chart", chartPanel(this)),
@@ -390,7 +400,9 @@ export class App implements Workbench {
         this.store, (where, radius) => this.flyTo(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
       ), false),
     );
-    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), lostBanner(this.store), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
+    // Nothing lies over the model for longer than a message.
+    const scene = h("div", { className: "scene" }, canvasHost, progressBar(this.store, () => void this.ask("cancel")), lostBanner(this.store), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
+    middle.append(h("div", { className: "model" }, hintLine, scene));
     root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));
     return help;
   }
@@ -398,7 +410,7 @@ export class App implements Workbench {
   private readonly theme = startTheme(() => this.stage?.show(this.store.get("layers")));
 
   /** Sees all of the chosen chart, or everything where none is. */
-  private frameChart(): void {
+  frameChart(): void {
     const chart = this.store.get("chart"), points = chart < 0 ? this.stage.surface.positions : this.stage.surface.pointsOf(chart);
     if (points.length > 0) this.viewport.frameOf(points);
   }

@@ -12,15 +12,13 @@ const clickTolerance = 4; // pixels that a click may move
 export class ToolBox implements Tools {
   private readonly tools: Tool[] = [];
   private active: Tool | null = null;
-  private readonly hintLine = h("div", { className: "hint-line", role: "status" });
-  private readonly boxHost = h("div", {});
   private pressed: { x: number; y: number; claimed: boolean; abandoned?: boolean } | null = null;
   private readonly refusedMark: PlaceMark;
   /** Where the pointer is on the surface while it drags. */
   private pointed: THREE.Vector3 | null = null;
 
-  constructor(private readonly app: Workbench, overlay: HTMLElement) {
-    overlay.append(this.hintLine, this.boxHost);
+  /** `hintLine` says what to do now; `boxHost` has the active tool's controls. */
+  constructor(private readonly app: Workbench, private readonly hintLine: HTMLElement, private readonly boxHost: HTMLElement) {
     this.refusedMark = new PlaceMark(app.viewport, [0.9, 0.22, 0.2]);
     const canvas = app.viewport.canvas;
     // Before the camera's own listeners, so that a tool can claim the drag.
@@ -94,7 +92,7 @@ export class ToolBox implements Tools {
     return Object.fromEntries(this.tools.flatMap(({ name, keys }) => (keys ? [[name, keys]] : [])));
   }
 
-  /** The tool's own controls, in the corner of the view. */
+  /** The tool's own controls, at the top of the panels. */
   setBox(box: HTMLElement | null): void {
     this.boxHost.replaceChildren(...(box ? [box] : []));
   }
@@ -104,7 +102,6 @@ export class ToolBox implements Tools {
     this.hintLine.classList.toggle("bad", bad);
     const hint = this.app.store.get("state")?.file ? (this.active?.hint() ?? "") : "";
     this.hintLine.textContent = hint;
-    this.hintLine.hidden = hint === "";
   }
 
   tellRefusal(reason: string | null): void {
