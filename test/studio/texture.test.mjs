@@ -67,6 +67,17 @@ test("a click on a chart opens it beside its square", async () => {
   assert.match(await studio.page.innerText(".hint-line"), /Drag a vertex/);
 });
 
+test("the camera frames the chart that opens", async () => {
+  await studio.landed();
+  const part = await studio.page.evaluate(() => {
+    const { stage, store, viewport } = window.studio, points = stage.surface.pointsOf(store.get("chart")), box = viewport.canvas.getBoundingClientRect();
+    const at = Array.from({ length: points.length / 3 }, (_, i) => viewport.project(viewport.controls.target.clone().fromArray(points, 3 * i), box));
+    const xs = at.map((p) => p.x - box.x), ys = at.map((p) => p.y - box.y);
+    return { inside: Math.min(...xs) >= 0 && Math.max(...xs) <= box.width && Math.min(...ys) >= 0 && Math.max(...ys) <= box.height, most: Math.max((Math.max(...xs) - Math.min(...xs)) / box.width, (Math.max(...ys) - Math.min(...ys)) / box.height) };
+  });
+  assert.ok(part.inside && part.most > 0.5, JSON.stringify(part));
+});
+
 const boxOf = (selector) => studio.page.locator(selector).boundingBox();
 const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
@@ -94,17 +105,6 @@ test("the chart lies beside the model, and nothing lies over either; the bar bet
   await studio.page.setViewportSize({ width: 1400, height: 860 });
   await studio.picture("texture_docked");
   assert.ok(Math.abs((await studio.page.evaluate(() => window.studio.preferences.get("split"))) - 0.45) > 0.01);
-});
-
-test("the camera frames the chart that opens", async () => {
-  await studio.landed();
-  const part = await studio.page.evaluate(() => {
-    const { stage, store, viewport } = window.studio, points = stage.surface.pointsOf(store.get("chart")), box = viewport.canvas.getBoundingClientRect();
-    const at = Array.from({ length: points.length / 3 }, (_, i) => viewport.project(viewport.controls.target.clone().fromArray(points, 3 * i), box));
-    const xs = at.map((p) => p.x - box.x), ys = at.map((p) => p.y - box.y);
-    return { inside: Math.min(...xs) >= 0 && Math.max(...xs) <= box.width && Math.min(...ys) >= 0 && Math.max(...ys) <= box.height, most: Math.max((Math.max(...xs) - Math.min(...xs)) / box.width, (Math.max(...ys) - Math.min(...ys)) / box.height) };
-  });
-  assert.ok(part.inside && part.most > 0.5, JSON.stringify(part));
 });
 
 test("the chart has its true proportions, grows by the wheel around the pointer, and is moved by the right button", async () => {

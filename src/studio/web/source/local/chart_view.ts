@@ -57,13 +57,15 @@ export class ChartView implements ChartDisplay {
   take(frame: Frame): void {
     const texture = new Texture(frame);
     if (texture.id !== this.wanted) return;
-    if (texture.id !== this.texture?.id) [this.zoom, this.middle] = [1, null];
+    const opens = texture.id !== this.texture?.id;
+    if (opens) [this.zoom, this.middle] = [1, null];
     this.proportion = texture.proportion;
     const isOther = texture.id !== this.texture?.id || texture.size !== this.texture.size;
     this.texture = texture;
     this.title.textContent = `${texture.kind === "disc" ? "Cap" : "Tube"} ${texture.id}`;
     this.facts.textContent = `${readable(texture.size)} quads`;
     this.panel.hidden = this.bar.hidden = false;
+    if (opens) this.app.frameChart(); // in the room that is left
     this.app.tools.tellHint();
     this.mesh.set(this.app.stage.surface.drape(texture.edgesInSpace(Array.from({ length: texture.size }, (_, q) => q))));
     this.showOnSurface();

@@ -91,7 +91,6 @@ export class TextureTool implements Tool {
       release: (at) => this.releaseAt(at),
     };
     this.showBox();
-    if (this.app.store.get("chart") >= 0) this.app.frameChart();
   }
 
   end(): void {
@@ -106,7 +105,6 @@ export class TextureTool implements Tool {
   refresh(): void {
     const chart = this.app.store.get("chart");
     if (chart !== this.chart) this.anchors = [];
-    if (chart !== this.chart && chart >= 0) this.app.frameChart();
     this.chart = chart;
     if (!this.grabbed) this.forget();
     this.app.stage.setHovered(-1);

@@ -16,6 +16,8 @@ export interface Tool {
   end?(): void;
   /** The pointer moves with no button down. */
   hover?(event: PointerEvent): void;
+  /** The pointer is over the surface no more. */
+  leave?(): void;
   /** A click that was no drag. */
   click?(event: PointerEvent): void;
   /** A button goes down; true claims the drag that follows. */

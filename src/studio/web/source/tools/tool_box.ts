@@ -24,6 +24,7 @@ export class ToolBox implements Tools {
     // Before the camera's own listeners, so that a tool can claim the drag.
     canvas.addEventListener("pointerdown", (e) => this.down(e), true);
     window.addEventListener("pointermove", (e) => this.move(e));
+    canvas.addEventListener("pointerleave", () => !this.pressed && this.active?.leave?.());
     window.addEventListener("pointerup", (e) => this.up(e));
     window.addEventListener("keydown", (e) => {
       if ((e.target as HTMLElement).matches("input, select, textarea")) return;
