@@ -284,6 +284,7 @@ test("the exported quads are those of the replayed recipe, byte for byte", async
 });
 
 test("the torus of figure 9 has no extraordinary vertex", async () => {
+  await studio.tab("history");
   await studio.page.click('[data-step="1"]');
   await studio.page.waitForFunction(() => {
     const state = window.studio.store.get("state");

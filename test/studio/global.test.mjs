@@ -172,7 +172,8 @@ test("what is odd about a file is listed, and a click flies there", async () => 
   writeFileSync(studio.path("turned.off"), ["OFF", `${points} ${faces} 0`, ...rows.slice(2)].join("\n") + "\n");
   const state = await studio.upload(studio.path("turned.off"));
   assert.ok(state.file.defects.length > 0);
-  await studio.page.evaluate(() => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+  assert.equal(await studio.page.innerText('[data-tab="check"] .badge'), String(state.file.defects.length));
+  await studio.tab("check");
   const before = await studio.page.evaluate(() => window.studio.viewport.controls.target.toArray());
   await studio.page.locator(".finding").first().click();
   const where = state.file.defects[0].where;
@@ -256,7 +257,12 @@ test("the parts of a file are listed; each has its design, and the export joins 
   assert.equal(back.certificate.passed, true);
 });
 
-test("panels and tools are reached by the Tab key", async () => {
+test("panels and tools are reached by the Tab key, and panels by arrows", async () => {
+  await studio.page.focus('[data-tab="design"]');
+  await studio.page.keyboard.press("ArrowRight");
+  assert.equal(await studio.page.isVisible(".layer-list"), true);
+  assert.equal(await studio.page.isVisible("#suggest"), false);
+  await studio.page.keyboard.press("ArrowLeft");
   await studio.page.focus("#open");
   const reached = new Set();
   for (let i = 0; i < 80; ++i) {

@@ -177,7 +177,12 @@ export class Studio {
   async upload(file) {
     return this.after(() => this.page.setInputFiles("#file-input", file));
   }
+  /** Shows these panels. */
+  async tab(id) {
+    await this.page.click(`[data-tab="${id}"]`);
+  }
   async suggest() {
+    await this.tab("design");
     return this.after(() => this.page.click("#suggest"));
   }
   async view(id) {

@@ -5,6 +5,7 @@ import { PlaceMark } from "../scene/place_mark";
 import { isFree, type Contour, type CriticalPoint } from "../scene/stage";
 import { h, icon } from "../ui/dom";
 import { icons } from "../ui/icons";
+import { whatNext } from "../ui/steps_bar";
 import type { KeyNotes } from "../ui/keyboard";
 import { pick, surfacePoint, type Picked } from "./pick";
 import type { Tool } from "./tool";
@@ -32,7 +33,7 @@ export class SelectTool implements Tool {
   hint(): string {
     if (this.part > 0) return `Click to work on part ${this.part}.`;
     if (this.chosen) return this.deletion ? "Press Delete to delete it, or click something else." : "This contour runs through a saddle: “Move contour” moves it.";
-    return this.app.store.get("state")?.statistics ? "Click a chart, a contour or an extremum to choose it. Double click to turn around a point." : "Press “Suggest a design” to begin, or place extrema by hand.";
+    return whatNext(this.app.store.get("step"), this.app.store.get("state"));
   }
 
   begin(): void {

@@ -37,6 +37,7 @@ export class ToolBox implements Tools {
         e.stopImmediatePropagation();
       }
     }, true);
+    app.store.watch(["step"], () => this.tellHint());
     app.store.watch(["state"], () => {
       for (const tool of this.tools) this.buttonOf(tool.id)!.disabled = !this.isPossible(tool.id);
       if (this.active && !this.isPossible(this.active.id)) this.choose("select");
@@ -56,6 +57,11 @@ export class ToolBox implements Tools {
       icon(tool.icon), h("span", {}, tool.name),
     );
     document.getElementById("rail")?.append(button);
+  }
+
+  /** Begins another group of tools in the rail. */
+  divide(name: string): void {
+    document.getElementById("rail")?.append(h("h3", {}, name));
   }
 
   choose(id: string): void {
