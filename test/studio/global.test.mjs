@@ -276,4 +276,19 @@ test("panels and tools are reached by the Tab key, and panels by arrows", async 
   assert.equal((await edits()).at(-1).edit, "suggest");
 });
 
+test("keys alone place an extremum: arrows move the view under its middle, Space clicks there", async () => {
+  await studio.upload(studio.shape("sphere", 1500));
+  await studio.suggest();
+  const { length } = (await studio.state()).facts.extrema;
+  await studio.page.keyboard.press("e");
+  for (let i = 0; i < 100 && (await studio.page.evaluate(() => document.activeElement.tagName)) !== "CANVAS"; ++i) await studio.page.keyboard.press("Tab");
+  for (let i = 0; i < 6; ++i) await studio.page.keyboard.press("Shift+ArrowLeft");
+  await studio.landed();
+  assert.equal(await studio.page.evaluate(() => getComputedStyle(document.querySelector(".canvas"), "::after").width), "25px", "the middle is marked");
+  await studio.picture("by_keys");
+  const state = await studio.after(() => studio.page.keyboard.press("Space"));
+  assert.equal((await edits()).at(-1).edit, "add_extremum");
+  assert.equal(state.facts.extrema.length, length + 1);
+});
+
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

@@ -32,11 +32,12 @@ export class ToolBox implements Tools {
         e.stopImmediatePropagation();
         return this.abandon();
       }
-      if (this.active?.key_?.(e)) {
-        e.preventDefault();
-        e.stopImmediatePropagation();
-      }
+      if (!this.active?.key_?.(e) && !this.clickByKey(e)) return;
+      e.preventDefault();
+      e.stopImmediatePropagation();
     }, true);
+    // By keys the view is moved under its middle, which is marked then: what is there is as what a pointer is on.
+    app.viewport.controls.addEventListener("change", () => this.isByKeys && this.active?.hover?.(this.atMiddle("pointermove")));
     app.store.watch(["step"], () => this.tellHint());
     app.store.watch(["state"], () => {
       for (const tool of this.tools) this.buttonOf(tool.id)!.disabled = !this.isPossible(tool.id);
@@ -117,6 +118,24 @@ export class ToolBox implements Tools {
     if (reason === null) return this.tellHint();
     this.tellHint(true);
     this.hintLine.textContent = `This place is refused: ${reason}. Let go here, or press Escape, and all is as before.`;
+  }
+
+  private get isByKeys(): boolean {
+    return this.app.viewport.canvas.matches(":focus-visible");
+  }
+
+  private atMiddle(kind: string): PointerEvent {
+    const { left, top, width, height } = this.app.viewport.canvas.getBoundingClientRect();
+    return new PointerEvent(kind, { clientX: left + width / 2, clientY: top + height / 2 });
+  }
+
+  /** Space in the view is a click in its middle. */
+  private clickByKey(event: KeyboardEvent): boolean {
+    if (event.key !== " " || event.target !== this.app.viewport.canvas || !this.active) return false;
+    const at = this.atMiddle("pointerup");
+    if (this.active.press?.(at)) this.active.release?.(at);
+    else this.active.click?.(at);
+    return true;
   }
 
   private abandon(): void {
