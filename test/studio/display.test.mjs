@@ -60,6 +60,18 @@ test("six steps lead from the mesh to the check: each has its view, and says wha
   assert.equal(await studio.page.isVisible("#quads"), true);
 });
 
+test("a tool leads to the step that it stands under, and the surface is there to be clicked", async () => {
+  for (const [tool, step] of [["texture", "quads"], ["plane", "atlas"], ["saddle", "quads"], ["extremum", "field"], ["pole", "quads"]]) {
+    await studio.view("quality");
+    await studio.tool(tool);
+    assert.equal(await studio.page.locator(".top .view.on").getAttribute("data-view"), step, tool);
+    assert.ok(await studio.page.evaluate(() => window.studio.store.get("layers").has("surface")), tool);
+  }
+  await studio.tool("select");
+  assert.equal(await studio.page.locator(".top .view.on").getAttribute("data-view"), "quads", "one that belongs to all steps stays where it is");
+  await studio.view("quality");
+});
+
 test("shading is smooth, splits at creases, or is flat", async () => {
   const normals = () => studio.page.evaluate(() => {
     const { normals } = window.studio.stage.surface; // how much they differ within a face

@@ -276,6 +276,10 @@ export class App implements Workbench {
 
   setView(view: ViewId): void {
     this.store.set("step", view);
+    this.showLayersOf(view);
+  }
+
+  showLayersOf(view: ViewId): void {
     showView(this.store, viewOf(view, this.store.get("state")));
   }
 

@@ -35,5 +35,8 @@ export interface Workbench {
   frameChart(): void;
   /** Lets only the quads shine whose quality passes; null: all. */
   lightQuads(lit: ((quality: number) => boolean) | null): void;
+  /** Goes to the step of that view. */
   setView(view: ViewId): void;
+  /** Shows the layers of a view, whatever the step. */
+  showLayersOf(view: ViewId): void;
 }

@@ -20,7 +20,7 @@ export class DragContourTool implements Tool {
     return "Drag a contour with a light middle to where it is to run.";
   }
   begin(): void {
-    if (!this.app.store.get("layers").has("contours")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("contours")) this.app.showLayersOf("atlas");
   }
   end(): void {
     this.app.stage.choose([]);

@@ -127,7 +127,7 @@ export class GuidedTool implements Tool {
 
   begin(): void {
     this.restart();
-    if (!this.app.store.get("layers").has("surface")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("surface")) this.app.showLayersOf("atlas");
     this.showBox();
   }
 

@@ -80,7 +80,7 @@ export class PlaneTool implements Tool {
   }
 
   begin(): void {
-    if (!this.app.store.get("layers").has("contours")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("contours")) this.app.showLayersOf("atlas");
     this.showBox();
   }
 

@@ -5,6 +5,7 @@ import { PlaceMark } from "../scene/place_mark";
 import type { Workbench } from "../workbench";
 import { h, icon } from "../ui/dom";
 import type { KeyNotes, Shortcut } from "../ui/keyboard";
+import { stepOf } from "../ui/steps_bar";
 import type { Tool, Tools } from "./tool";
 
 const clickTolerance = 4; // pixels that a click may move
@@ -69,6 +70,7 @@ export class ToolBox implements Tools {
     if (!this.isPossible(id)) return;
     this.active?.end?.();
     this.active = this.tools.find((t) => t.id === id) ?? null;
+    this.app.store.set("step", stepOf(id) ?? this.app.store.get("step"));
     this.active?.begin?.();
     this.app.store.set("tool", id);
     for (const b of document.querySelectorAll<HTMLElement>(".tool")) b.classList.toggle("on", b.dataset.tool === id);

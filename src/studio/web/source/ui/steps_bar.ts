@@ -24,6 +24,11 @@ export const steps: Record<ViewId, Step> = {
   deviation: { name: "Check", about: "How far the quads are from the surface", tools: [], todo: "See what is far off or lost, and what hints there are; then export the quads." },
 };
 
+/** The step that a tool belongs to; `select` belongs to all. */
+export function stepOf(tool: string): ViewId | undefined {
+  return (Object.keys(steps) as ViewId[]).find((id) => steps[id].tools.includes(tool));
+}
+
 /** What to do in a step now, in a sentence. */
 export function whatNext(step: ViewId, state: State | null): string {
   if (!state?.file) return "";
