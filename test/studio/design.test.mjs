@@ -6,6 +6,8 @@ import test, { after, before } from "node:test";
 import { reebquad, Studio } from "./harness.mjs";
 
 let studio, mesh;
+/** A point of a contour between two others of a tube: unlike that of a cap it can be deleted. */
+let added;
 before(async () => {
   studio = await Studio.start();
   mesh = studio.shape("torus", 4000);
@@ -54,7 +56,9 @@ test("the pointer shows which contour a click would draw; the click draws that",
   const state = await studio.after(() => studio.page.mouse.click(x, y));
   assert.equal(state.facts.charts.length, charts + 1);
   const drawn = await studio.page.evaluate(() => window.studio.stage.contours.filter((c) => c.kind === "regular").map((c) => c.points.map((p) => p.toArray().join())));
-  assert.ok(drawn.some((points) => shown.every((p) => points.includes(p))), "the contour is the one that was shown");
+  const same = drawn.find((points) => shown.every((p) => points.includes(p)));
+  assert.ok(same, "the contour is the one that was shown");
+  added = same[same.length >> 1].split(",").map(Number);
   assert.equal(await studio.page.evaluate(() => window.studio.tools.current.preview.curve.object.visible), false);
   await studio.picture("subdivided");
 });
@@ -82,7 +86,8 @@ test("a contour that is chosen is deleted by a button, or by a key", async () =>
   const { length } = (await studio.state()).facts.charts;
   await studio.tool("select");
   for (const remove of [() => studio.page.click("#delete-chosen"), () => studio.page.keyboard.press("Delete")]) {
-    await studio.clickOn(await contour("regular"));
+    await studio.clickOn(added);
+    await studio.page.evaluate(() => window.studio.store.set("state", { ...window.studio.store.get("state") })); // as when other work ends
     assert.match(await studio.page.innerText(".hint-line"), /Delete/);
     assert.equal(await studio.page.evaluate(() => window.studio.stage.chosenContour.object.visible), true);
     await studio.picture("contour_chosen");

@@ -74,9 +74,11 @@ export class SelectTool implements Tool {
     this.choose(null);
   }
 
+  /** What is chosen stays so while work ends that does not change it. */
   refresh(): void {
+    const { chosen } = this, { contours, critical } = this.app.stage;
     this.hoverPart(0);
-    this.choose(null);
+    if (chosen && ("point" in chosen ? !critical.includes(chosen.point) : !contours.includes(chosen.contour))) this.choose(null);
   }
 
   /** The sign or the contour that the pointer is on, of those that are shown. */
