@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a picture costs the page at 400,000 triangles. What it costs a graphics processor cannot be measured without one: but that has
-// few things to draw, and the page leaves it nearly all of the 33 ms that a picture may take. The limits are ten times what a machine
-// takes that does nothing else: slow and busy ones pass, a page that does in each picture what it should do once does not.
+// few things to draw, and the page leaves it nearly all of the 33 ms that a picture may take. A machine that does nothing else
+// takes about a millisecond; the limits on time are so far above it that slow and busy machines pass, and only defects do not: a page
+// that does in each picture, or at each move of the pointer, what it should do once. The calls are counted exactly.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Studio } from "./harness.mjs";
