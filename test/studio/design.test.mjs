@@ -6,6 +6,8 @@ import test, { after, before } from "node:test";
 import { reebquad, Studio } from "./harness.mjs";
 
 let studio, mesh;
+/** A point of a contour between two others of a tube: unlike that of a cap it can be deleted. */
+let added;
 before(async () => {
   studio = await Studio.start();
   mesh = studio.shape("torus", 4000);
@@ -38,13 +40,65 @@ test("a torus and its suggestion", async () => {
   await studio.picture("torus_atlas");
 });
 
-test("a chart is subdivided by a click", async () => {
+test("the pointer shows which contour a click would draw; the click draws that", async () => {
   const charts = (await studio.state()).facts.charts.length;
   await studio.tool("subdivide");
   const point = await studio.insideTallestTube();
-  const state = await studio.after(() => studio.clickOn(point));
+  await studio.face(point);
+  const { x, y } = await studio.screen(point);
+  await studio.page.mouse.move(x, y);
+  await studio.page.waitForFunction(() => window.studio.tools.current.preview?.curve.object.visible);
+  const shown = await studio.page.evaluate(() => {
+    const { instanceStart } = window.studio.tools.current.preview.curve.object.geometry.attributes;
+    return Array.from({ length: instanceStart.count }, (_, i) => [instanceStart.getX(i), instanceStart.getY(i), instanceStart.getZ(i)].join());
+  });
+  await studio.picture("subdivide_preview");
+  const state = await studio.after(() => studio.page.mouse.click(x, y));
   assert.equal(state.facts.charts.length, charts + 1);
+  const drawn = await studio.page.evaluate(() => window.studio.stage.contours.filter((c) => c.kind === "regular").map((c) => c.points.map((p) => p.toArray().join())));
+  const same = drawn.find((points) => shown.every((p) => points.includes(p)));
+  assert.ok(same, "the contour is the one that was shown");
+  added = same[same.length >> 1].split(",").map(Number);
+  assert.equal(await studio.page.evaluate(() => window.studio.tools.current.preview.curve.object.visible), false);
   await studio.picture("subdivided");
+});
+
+test("contours without saddles look different, and tools that take these alone light no other", async () => {
+  const segments = await studio.page.evaluate(() => {
+    const { stage } = window.studio;
+    return { light: stage.freeLines.segments, free: stage.contours.filter((c) => c.kind === "regular").reduce((sum, c) => sum + c.points.length - 1, 0), all: stage.contourLines.segments, shown: stage.freeLines.object.visible };
+  });
+  assert.ok(segments.shown && segments.light === segments.free && segments.free < segments.all, JSON.stringify(segments));
+  await studio.tool("drag");
+  const lit = async (kind) => {
+    const at = await contour(kind);
+    await studio.face(at, kind === "saddle" ? 0.5 : 2.6); // from inside the hole
+    const { x, y } = await studio.screen(at);
+    await studio.page.mouse.move(x + 1, y);
+    assert.equal(await studio.page.evaluate(([x, y]) => window.studio.stage.contourAt({ clientX: x, clientY: y })?.kind, [x, y]), kind);
+    return studio.page.evaluate(() => window.studio.stage.chosenContour.object.visible);
+  };
+  assert.equal(await lit("regular"), true);
+  assert.equal(await lit("saddle"), false);
+});
+
+test("a contour that is chosen is deleted by a button, or by a key", async () => {
+  const { length } = (await studio.state()).facts.charts;
+  await studio.tool("select");
+  for (const remove of [() => studio.page.click("#delete-chosen"), () => studio.page.keyboard.press("Delete")]) {
+    await studio.clickOn(added);
+    await studio.page.evaluate(() => window.studio.store.set("state", { ...window.studio.store.get("state") })); // as when other work ends
+    assert.match(await studio.page.innerText(".hint-line"), /Delete/);
+    assert.equal(await studio.page.evaluate(() => window.studio.stage.chosenContour.object.visible), true);
+    await studio.picture("contour_chosen");
+    const state = await studio.after(remove);
+    assert.equal((await history()).at(-1), "remove_contour");
+    assert.equal(state.facts.charts.length, length - 1);
+    await studio.after(() => studio.page.keyboard.press("Control+z"));
+  }
+  // That of a saddle cannot go.
+  await studio.clickOn(await contour("saddle"), 0.5);
+  assert.equal(await studio.page.isDisabled("#delete-chosen"), true);
 });
 
 test("a contour is dragged, and one drag is one step", async () => {
@@ -175,11 +229,12 @@ test("counts of a chart by its box, and its texture beside it", async () => {
   await studio.tool("select");
   const tube = (await studio.state()).facts.charts.filter((c) => c.kind === "annulus").sort((a, b) => b.height - a.height)[0];
   await studio.page.click(`[data-chart="${tube.id}"]`);
-  await studio.page.waitForSelector(".chart-view:not([hidden])");
   await studio.page.fill("#rows", String(tube.rows + 3));
   const state = await studio.after(() => studio.page.press("#rows", "Enter"));
   assert.equal(state.facts.charts.find((c) => c.id === tube.id).rows, tube.rows + 3);
-  await studio.view("atlas");
+  await studio.page.click("#open-texture");
+  await studio.page.waitForSelector(".chart-view:not([hidden])");
+  assert.equal(await studio.page.evaluate(() => window.studio.store.get("chart")), tube.id);
   await studio.face(await studio.insideTallestTube());
   await studio.page.hover(".chart-view canvas");
   await studio.picture("chart_view");
@@ -234,6 +289,7 @@ test("the exported quads are those of the replayed recipe, byte for byte", async
 });
 
 test("the torus of figure 9 has no extraordinary vertex", async () => {
+  await studio.tab("history");
   await studio.page.click('[data-step="1"]');
   await studio.page.waitForFunction(() => {
     const state = window.studio.store.get("state");

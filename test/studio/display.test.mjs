@@ -36,6 +36,42 @@ test("the header is one line at 1024 pixels, and every control of it is in sight
   await studio.picture("header_1024");
 });
 
+test("six steps lead from the mesh to the check: each has its view, and says what to do next", async () => {
+  const names = await studio.page.locator(".top .view").allTextContents();
+  assert.deepEqual(names, ["1Mesh", "2Limbs", "3Contours", "4Vertices", "5Quads", "6Check"]);
+  const seen = new Set(), drawn = new Set();
+  for (const step of ["surface", "field", "atlas", "quads", "quality", "deviation"]) {
+    await studio.view(step);
+    assert.equal(await studio.page.getAttribute(`[data-view="${step}"]`, "aria-current"), "step");
+    seen.add(await studio.page.innerText(".hint-line"));
+    drawn.add(await studio.drawn());
+    await studio.picture(`step_${step}`);
+  }
+  assert.equal(seen.size, 6);
+  assert.equal(drawn.size, 6);
+  assert.ok([...seen].every((sentence) => sentence.length > 20));
+  assert.equal(await studio.page.isVisible(".deviation"), true, "the last step has the panels that tell how good the quads are");
+  // A tool of the step stays, one of another is put away.
+  await studio.tool("drag");
+  await studio.view("atlas");
+  assert.equal(await studio.page.locator('[data-tool="drag"].on').count(), 1);
+  await studio.view("quality");
+  assert.equal(await studio.page.locator('[data-tool="select"].on').count(), 1);
+  assert.equal(await studio.page.isVisible("#quads"), true);
+});
+
+test("a tool leads to the step that it stands under, and the surface is there to be clicked", async () => {
+  for (const [tool, step] of [["texture", "quads"], ["plane", "atlas"], ["saddle", "quads"], ["extremum", "field"], ["pole", "quads"]]) {
+    await studio.view("quality");
+    await studio.tool(tool);
+    assert.equal(await studio.page.locator(".top .view.on").getAttribute("data-view"), step, tool);
+    assert.ok(await studio.page.evaluate(() => window.studio.store.get("layers").has("surface")), tool);
+  }
+  await studio.tool("select");
+  assert.equal(await studio.page.locator(".top .view.on").getAttribute("data-view"), "quads", "one that belongs to all steps stays where it is");
+  await studio.view("quality");
+});
+
 test("shading is smooth, splits at creases, or is flat", async () => {
   const normals = () => studio.page.evaluate(() => {
     const { normals } = window.studio.stage.surface; // how much they differ within a face
@@ -78,6 +114,7 @@ test("views along the axes show everything, and the orthographic lens keeps its 
 test("the chosen chart has a border, and can fill the view", async () => {
   const outline = () => studio.page.evaluate(() => (window.studio.stage.outline.object.visible ? window.studio.stage.outline.segments : 0));
   assert.equal(await outline(), 0);
+  await studio.tab("design");
   await studio.page.locator("[data-chart]").first().click();
   await studio.settle();
   assert.ok((await outline()) > 10);

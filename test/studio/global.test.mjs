@@ -14,7 +14,7 @@ const critical = (kind) =>
   studio.page.evaluate((k) => window.studio.stage.critical.filter((c) => c.kind === k).map((c) => c.position.toArray()), kind);
 const edits = async () => (await studio.state()).history.map((step) => step.edit);
 
-/** Moves the pointer in circles until the plane's rings or arrows take it; where that was. */
+/** Moves the pointer in circles until one of the plane's handles takes it; where that was, and which. */
 async function findGizmo() {
   const middle = await studio.page.evaluate(() => {
     const { tools, viewport } = window.studio;
@@ -25,7 +25,7 @@ async function findGizmo() {
       const [x, y] = [middle.x + radius * Math.cos(turn), middle.y + radius * Math.sin(turn)];
       await studio.page.mouse.move(x, y);
       const axis = await studio.page.evaluate(() => window.studio.tools.current.gizmo.axis);
-      if (axis && axis.length === 1 && axis !== "Z") return { x, y, middle };
+      if (axis) return { x, y, middle, axis };
     }
   throw new Error("the plane has no ring under the pointer");
 }
@@ -88,7 +88,7 @@ test("an extremum is added by a click, moved live by a drag, and deleted by a ke
   assert.equal(removed.facts.extrema.length, before);
 });
 
-test("the plane is turned by its rings with the mouse", async () => {
+test("the plane is turned by its rings and shifted by its arrow with the mouse, and has no handle that does nothing", async () => {
   await studio.upload(studio.shape("torus", 3000));
   await studio.suggest();
   await studio.view("atlas");
@@ -101,7 +101,20 @@ test("the plane is turned by its rings with the mouse", async () => {
   });
   await studio.clickOn(contour, 4);
   await studio.page.waitForSelector("#apply-plane:not([disabled])");
-  const { x, y, middle } = await findGizmo();
+  const pose = () => studio.page.evaluate(() => [...window.studio.tools.current.plane.quaternion.toArray(), ...window.studio.tools.current.plane.position.toArray()]);
+  await studio.page.keyboard.press("t");
+  const arrow = await findGizmo(), unmoved = await pose();
+  assert.equal(arrow.axis, "Z");
+  await studio.page.mouse.down();
+  const away = [arrow.x - arrow.middle.x, arrow.y - arrow.middle.y].map((d) => 0.05 * d);
+  for (let i = 1; i <= 3; ++i) await studio.page.mouse.move(arrow.x + i * away[0], arrow.y + i * away[1]);
+  await studio.page.mouse.up();
+  const shifted = await pose();
+  assert.deepEqual(shifted.slice(0, 4), unmoved.slice(0, 4));
+  assert.ok(Math.hypot(...shifted.slice(4).map((v, i) => v - unmoved[4 + i])) > 1e-3);
+  await studio.page.keyboard.press("r");
+  const { x, y, middle, axis } = await findGizmo();
+  assert.match(axis, /^[XY]$/);
   const before = await studio.page.evaluate(() => window.studio.tools.current.plane.quaternion.toArray());
   await studio.page.mouse.down();
   // Along the ring, a little.
@@ -159,7 +172,8 @@ test("what is odd about a file is listed, and a click flies there", async () => 
   writeFileSync(studio.path("turned.off"), ["OFF", `${points} ${faces} 0`, ...rows.slice(2)].join("\n") + "\n");
   const state = await studio.upload(studio.path("turned.off"));
   assert.ok(state.file.defects.length > 0);
-  await studio.page.evaluate(() => document.querySelectorAll("details").forEach((d) => (d.open = true)));
+  assert.equal(await studio.page.innerText('[data-tab="check"] .badge'), String(state.file.defects.length));
+  await studio.tab("check");
   const before = await studio.page.evaluate(() => window.studio.viewport.controls.target.toArray());
   await studio.page.locator(".finding").first().click();
   const where = state.file.defects[0].where;
@@ -243,7 +257,12 @@ test("the parts of a file are listed; each has its design, and the export joins 
   assert.equal(back.certificate.passed, true);
 });
 
-test("panels and tools are reached by the Tab key", async () => {
+test("panels and tools are reached by the Tab key, and panels by arrows", async () => {
+  await studio.page.focus('[data-tab="design"]');
+  await studio.page.keyboard.press("ArrowRight");
+  assert.equal(await studio.page.isVisible(".layer-list"), true);
+  assert.equal(await studio.page.isVisible("#suggest"), false);
+  await studio.page.keyboard.press("ArrowLeft");
   await studio.page.focus("#open");
   const reached = new Set();
   for (let i = 0; i < 80; ++i) {
@@ -255,6 +274,21 @@ test("panels and tools are reached by the Tab key", async () => {
   assert.ok(reached.has("rail") && reached.has("side"));
   await studio.after(() => studio.page.keyboard.press("Enter"));
   assert.equal((await edits()).at(-1).edit, "suggest");
+});
+
+test("keys alone place an extremum: arrows move the view under its middle, Space clicks there", async () => {
+  await studio.upload(studio.shape("sphere", 1500));
+  await studio.suggest();
+  const { length } = (await studio.state()).facts.extrema;
+  await studio.page.keyboard.press("e");
+  for (let i = 0; i < 100 && (await studio.page.evaluate(() => document.activeElement.tagName)) !== "CANVAS"; ++i) await studio.page.keyboard.press("Tab");
+  for (let i = 0; i < 6; ++i) await studio.page.keyboard.press("Shift+ArrowLeft");
+  await studio.landed();
+  assert.equal(await studio.page.evaluate(() => getComputedStyle(document.querySelector(".canvas"), "::after").width), "25px", "the middle is marked");
+  await studio.picture("by_keys");
+  const state = await studio.after(() => studio.page.keyboard.press("Space"));
+  assert.equal((await edits()).at(-1).edit, "add_extremum");
+  assert.equal(state.facts.extrema.length, length + 1);
 });
 
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

@@ -177,7 +177,12 @@ export class Studio {
   async upload(file) {
     return this.after(() => this.page.setInputFiles("#file-input", file));
   }
+  /** Shows these panels. */
+  async tab(id) {
+    await this.page.click(`[data-tab="${id}"]`);
+  }
   async suggest() {
+    await this.tab("design");
     return this.after(() => this.page.click("#suggest"));
   }
   async view(id) {
@@ -199,6 +204,7 @@ export class Studio {
   async lookAt(point, from, radii = 2.6) {
     await this.page.evaluate(([p, d, r]) => {
       const { viewport, stage } = window.studio;
+      viewport.flight = null;
       viewport.controls.target.set(...p);
       viewport.camera.position.set(...p).add(viewport.controls.target.clone().set(...d).setLength(r * stage.surface.radius));
       viewport.controls.target.set(...p);

@@ -22,7 +22,9 @@ test("limbs without quads of their own are hints, with the reason", async () => 
   await studio.clickOn(tip);
   await studio.after(() => studio.page.keyboard.press("Delete"));
   await studio.tool("select");
+  await studio.tab("check");
   await studio.page.waitForSelector(limb);
+  await studio.page.waitForSelector('[data-tab="check"] .badge:not([hidden])');
   assert.match(await studio.page.locator(limb).first().innerText(), /add (maximum|minimum)/);
   assert.ok((await studio.page.locator(limb).first().innerText()).length > 30);
 });

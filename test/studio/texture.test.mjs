@@ -67,6 +67,76 @@ test("a click on a chart opens it beside its square", async () => {
   assert.match(await studio.page.innerText(".hint-line"), /Drag a vertex/);
 });
 
+test("the camera frames the chart that opens", async () => {
+  await studio.landed();
+  const part = await studio.page.evaluate(() => {
+    const { stage, store, viewport } = window.studio, points = stage.surface.pointsOf(store.get("chart")), box = viewport.canvas.getBoundingClientRect();
+    const at = Array.from({ length: points.length / 3 }, (_, i) => viewport.project(viewport.controls.target.clone().fromArray(points, 3 * i), box));
+    const xs = at.map((p) => p.x - box.x), ys = at.map((p) => p.y - box.y);
+    return { inside: Math.min(...xs) >= 0 && Math.max(...xs) <= box.width && Math.min(...ys) >= 0 && Math.max(...ys) <= box.height, most: Math.max((Math.max(...xs) - Math.min(...xs)) / box.width, (Math.max(...ys) - Math.min(...ys)) / box.height) };
+  });
+  assert.ok(part.inside && part.most > 0.5, JSON.stringify(part));
+});
+
+const boxOf = (selector) => studio.page.locator(selector).boundingBox();
+const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+test("the chart lies beside the model, and nothing lies over either; the bar between them is dragged, or moved by keys, and is kept", async () => {
+  const apart = async () => {
+    const [model, chart, box] = await Promise.all([".canvas", ".chart-view", ".tool-box"].map(boxOf));
+    for (const [a, b] of [[model, chart], [model, box], [chart, box]]) assert.ok(!overlap(a, b), JSON.stringify([a, b]));
+    return { model, chart };
+  };
+  const before = await apart(), bar = await boxOf(".split");
+  await studio.page.mouse.move(bar.x + 3, bar.y + 100);
+  await studio.page.mouse.down();
+  await studio.page.mouse.move(bar.x - 97, bar.y + 100, { steps: 4 });
+  await studio.page.mouse.up();
+  const wider = await apart();
+  assert.ok(Math.abs(wider.chart.width - before.chart.width - 100) < 5 && wider.model.width < before.model.width - 90);
+  await studio.page.focus(".split");
+  await studio.page.keyboard.press("ArrowRight");
+  assert.ok((await boxOf(".chart-view")).width < wider.chart.width - 10);
+  await studio.page.waitForFunction(() => window.studio.viewport.canvas.clientWidth === window.studio.viewport.host.clientWidth);
+  await studio.page.setViewportSize({ width: 1024, height: 640 });
+  const small = await apart();
+  assert.ok(small.model.width > 280 && small.chart.width > 240 && small.model.height > 400, JSON.stringify(small));
+  await studio.picture("texture_1024");
+  await studio.page.setViewportSize({ width: 1400, height: 860 });
+  await studio.picture("texture_docked");
+  assert.ok(Math.abs((await studio.page.evaluate(() => window.studio.preferences.get("split"))) - 0.45) > 0.01);
+});
+
+test("the chart has its true proportions, grows by the wheel around the pointer, and is moved by the right button", async () => {
+  const shape = await studio.page.evaluate(() => {
+    const { chartView } = window.studio, t = chartView.texture, ratios = [];
+    for (let q = 0; q < t.size; ++q) {
+      const space = t.cornersInSpace(q), s = chartView.scale(t), flat = t.corners(q).map(([v, u]) => [s.x(v), s.y(u)]);
+      const onScreen = (a, b) => Math.hypot(flat[a][0] - flat[b][0], flat[a][1] - flat[b][1]);
+      ratios.push(onScreen(0, 1) / onScreen(1, 2) / (space[0].distanceTo(space[1]) / space[1].distanceTo(space[2])));
+    }
+    return ratios.sort((a, b) => a - b)[ratios.length >> 1];
+  });
+  assert.ok(shape > 0.75 && shape < 1.33, `${shape}`);
+  const { vertex, plane } = await innerVertex(), place = () => studio.page.evaluate((v) => window.studio.chartView.screen(v), vertex);
+  const scale = () => studio.page.evaluate(() => window.studio.chartView.scale(window.studio.chartView.texture).a);
+  const first = await scale();
+  await studio.page.mouse.move(plane.x, plane.y);
+  await studio.page.mouse.wheel(0, -500);
+  await studio.page.waitForFunction((a) => window.studio.chartView.scale(window.studio.chartView.texture).a > 1.5 * a, first);
+  const grown = await place();
+  assert.ok(Math.hypot(grown.x - plane.x, grown.y - plane.y) < 1, "what is under the pointer stays there");
+  await studio.page.mouse.down({ button: "right" });
+  await studio.page.mouse.move(plane.x + 30, plane.y - 20, { steps: 3 });
+  await studio.page.mouse.up({ button: "right" });
+  const moved = await place();
+  assert.ok(Math.hypot(moved.x - grown.x - 30, moved.y - grown.y + 20) < 2, JSON.stringify([grown, moved]));
+  await studio.picture("texture_enlarged");
+  await studio.page.focus(".chart-view canvas");
+  await studio.page.keyboard.press("0");
+  assert.ok(Math.abs((await scale()) / first - 1) < 0.01);
+});
+
 test("hovering shines in both views", async () => {
   await operator("rotate_edge");
   const at = await innerEdge();

@@ -76,6 +76,7 @@ test("a recipe is saved under a name, and over a file only if that is said", asy
 });
 
 test("a recipe in the folder is followed; the question comes only where there are edits", async () => {
+  await studio.tab("history");
   await studio.after(() => studio.page.click('[data-step="0"]'));
   await studio.after(() => studio.suggest());
   await studio.page.click("#open");

@@ -2,7 +2,7 @@
 // The page: puts the parts together and carries what one says to the others.
 import * as THREE from "three";
 import { Connection, RequestError } from "./net/connection";
-import type { Edit, FileFacts, State } from "./net/messages";
+import type { Edit, FileFacts, State, Vector } from "./net/messages";
 import { layerList, switched, type ViewId } from "./scene/layers";
 import { PlaceMark } from "./scene/place_mark";
 import { Stage } from "./scene/stage";
@@ -16,6 +16,7 @@ import { GuidedTool, guides } from "./tools/guided";
 import { PlaneTool } from "./tools/plane";
 import { SelectTool } from "./tools/select";
 import { TextureTool } from "./tools/texture";
+import type { Tool } from "./tools/tool";
 import { ToolBox } from "./tools/tool_box";
 import { ChartView } from "./local/chart_view";
 import { chartPanel } from "./ui/chart_panel";
@@ -36,12 +37,15 @@ import { askName, question } from "./ui/question";
 import { partsPanel } from "./ui/parts_panel";
 import { progressBar } from "./ui/progress";
 import { qualityPanel } from "./ui/quality_panel";
+import { splitBar } from "./ui/split";
 import { statusBar } from "./ui/status_bar";
 import { Thumbnails } from "./ui/thumbnails";
 import { elementName, plain } from "./ui/words";
 import { startTheme } from "./ui/theme";
 import { Toasts } from "./ui/toasts";
-import { showView, viewsBar } from "./ui/views_bar";
+import { stepsBar, steps, viewOf } from "./ui/steps_bar";
+import { tabs } from "./ui/tabs";
+import { showView } from "./ui/views_bar";
 import { welcome } from "./ui/welcome";
 
 /** What to do when an edit fails so; what fails otherwise is about a file. */
@@ -55,6 +59,14 @@ const largestUpload = 2 ** 30;
 
 /** Commands after which an earlier failure is of no interest. */
 const changes = new Set(["edit", "undo", "redo", "go_to", "open_file", "open_recipe", "component"]);
+
+/** The elements that parts of the page fill. */
+interface Hosts {
+  canvasHost: HTMLElement;
+  middle: HTMLElement;
+  hintLine: HTMLElement;
+  toolHost: HTMLElement;
+}
 
 export class App implements Workbench {
   readonly store = new Store();
@@ -89,30 +101,41 @@ export class App implements Workbench {
     this.preferences = new Preferences(this.connection);
     this.drags = new DragEdits(this.connection, (error) => this.tell(error), (reason) => this.tools.tellRefusal(reason && plain(reason)));
     const canvasHost = h("div", { className: "canvas" });
-    const overlay = h("div", { className: "overlay" });
     const openMesh = openDialog({
       connection: this.connection, store: this.store, take: (file) => void this.take([file]), openMesh: (name) => void this.openFile(name),
       openRecipe: (name) => void this.openRecipe(name, () => this.ask("open_recipe", { name })), restore: (digest) => void this.ask("restore", { digest }),
     });
     this.toasts = new Toasts();
-    const help = this.makeShell(root, canvasHost, overlay, openMesh);
+    const middle = h("main", { className: "middle" }), hintLine = h("div", { className: "hint-line", role: "status" }), toolHost = h("div", { className: "tool-host" });
+    const help = this.makeShell(root, { canvasHost, middle, hintLine, toolHost }, openMesh);
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
     this.thumbnails = new Thumbnails(this.connection, () => this.viewport.thumbnail());
     this.findingMark = new PlaceMark(this.viewport);
     this.toastMark = new PlaceMark(this.viewport);
-    this.tools = new ToolBox(this, overlay);
-    this.chartView = new ChartView(this);
-    overlay.append(this.chartView.panel);
-    for (const tool of [new SelectTool(this), new ExtremumTool(this), new PlaneTool(this), new DragContourTool(this)]) this.tools.add(tool);
-    for (const guide of guides) this.tools.add(new GuidedTool(this, guide));
-    this.tools.add(new TextureTool(this));
+    this.tools = new ToolBox(this, hintLine, toolHost);
+    const split = splitBar(middle, this.preferences);
+    this.chartView = new ChartView(this, split);
+    middle.append(split, this.chartView.panel);
+    this.addTools();
     this.deviation = new DeviationPanel(this, (measured) => this.store.set("deviation", measured));
     this.deviationHost.append(this.deviation.element);
     this.hintsHost.append(new HintsPanel(this).element);
     this.tools.choose("select");
     this.wire(canvasHost, openMesh, help);
     this.connection.open();
+  }
+
+  /** The rail's groups follow the steps. */
+  private addTools(): void {
+    const guided = (id: string): Tool => new GuidedTool(this, guides.find((guide) => guide.id === id)!);
+    this.tools.add(new SelectTool(this));
+    this.tools.divide("Limbs");
+    this.tools.add(new ExtremumTool(this));
+    this.tools.divide("Contours");
+    for (const tool of [guided("subdivide"), new DragContourTool(this), new PlaneTool(this), guided("contour")]) this.tools.add(tool);
+    this.tools.divide("Vertices");
+    for (const tool of [guided("saddle"), guided("pole"), guided("align"), new TextureTool(this)]) this.tools.add(tool);
   }
 
   /** Sends a request and tells the user if it fails; null then. */
@@ -252,7 +275,27 @@ export class App implements Workbench {
   }
 
   setView(view: ViewId): void {
-    showView(this.store, view);
+    this.store.set("step", view);
+    this.showLayersOf(view);
+  }
+
+  showLayersOf(view: ViewId): void {
+    showView(this.store, viewOf(view, this.store.get("state")));
+  }
+
+  /** With its view and its panels; a tool of another step is put away. */
+  private goToStep(step: ViewId): void {
+    if (!steps[step].tools.includes(this.store.get("tool"))) this.tools.choose("select");
+    this.store.set("tab", step === "deviation" ? "check" : this.store.get("tab") === "check" ? "design" : this.store.get("tab"));
+    this.setView(step);
+  }
+
+  /** What the tab Check has to tell. */
+  private toCheck(): { number: number; about: string } {
+    const file = this.store.get("state")?.file, lost = this.store.get("deviation")?.lost_corners.length ?? 0, hints = this.store.get("hints");
+    const findings = (file?.defects.length ?? 0) + (file?.refused.length ?? 0);
+    const parts = [[findings, "findings in the file"], [lost, "lost corners"], [hints, "hints"]] as const;
+    return { number: findings + lost + hints, about: parts.filter(([n]) => n > 0).map(([n, what]) => `${n} ${what}`).join(", ") };
   }
 
   private get baseName(): string {
@@ -344,13 +387,12 @@ export class App implements Workbench {
     return [...studio, ...this.tools.shortcuts(), ...layers];
   }
 
-  private makeShell(root: HTMLElement, canvasHost: HTMLElement, overlay: HTMLElement, openMesh: () => void): HTMLButtonElement {
+  private makeShell(root: HTMLElement, { canvasHost, middle, hintLine, toolHost }: Hosts, openMesh: () => void): HTMLButtonElement {
     const help = button(icons.help, "Keys and mouse (?)");
     const toggleTheme = (): void => this.preferences.set("theme", document.documentElement.dataset.theme === "dark" ? "light" : "dark");
     const display = displayMenu(this.preferences, {
       look: (from) => this.viewport.look(from), everything: () => this.viewport.fit(this.stage.surface.positions, true), selection: () => this.frameChart(),
     });
-    const viewButtons = viewsBar(this.store, (view) => Boolean(view === "surface" ? this.store.get("state")?.file : this.store.get("state")?.statistics));
     const format = h("select", { title: "Format of the quads", "aria-label": "Format of the quads", id: "format" }, ...["obj", "off", "ply", "vtk", "glb", "stl"].map((f) => h("option", { value: f }, f.toUpperCase())));
     const undo = button(icons.undo, "Undo (Ctrl+Z)", () => void this.ask("undo"), "undo");
     const redo = button(icons.redo, "Redo (Ctrl+Shift+Z)", () => void this.ask("redo"), "redo");
@@ -369,28 +411,39 @@ export class App implements Workbench {
       "header", { className: "top" },
       h("img", { src: "/icon.svg", alt: "", className: "logo" }), h("span", { className: "brand" }, "reebquad ", h("em", {}, "studio")),
       h("button", { id: "open", title: "Open a mesh, earlier work or a recipe (Ctrl+O)", onclick: openMesh }, icon(icons.open), "Open"),
-      undo, redo, h("span", { className: "spring" }), viewButtons, h("span", { className: "spring" }),
+      undo, redo, h("span", { className: "spring" }), stepsBar(this.store, (step) => this.goToStep(step)), h("span", { className: "spring" }),
       h("span", { className: "joined" }, saveRecipe, saveAs), report, h("span", { className: "joined" }, exportQuads, format),
       ...display, button(icons.camera, "Save a picture", () => void this.screenshot(), "screenshot"), button(icons.theme, "Dark or light", toggleTheme, "theme"), help,
     );
     const panel = (title: string, content: HTMLElement, open = true): HTMLElement => h("details", { open, className: "panel" }, h("summary", {}, title), content);
+    const flyTo = (where: Vector, radius: number): void => this.flyTo(new THREE.Vector3(...where), radius);
     const side = h(
-      "aside", { className: "side" },
-      partsPanel(this.store, (component) => void this.ask("component", { component })),
-      panel("Design", designPanel(this.store, (edit) => void this.edit(edit), (sentence) => this.toasts.show("That did not work", sentence, "bad"))),
-      panel("Chart", chartPanel(this)),
-      panel("Layers", layersPanel(this.store)),
-      panel("Quality", qualityPanel(this.store, (bin) => {
-        this.lightQuads(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1)));
-      })),
-      panel("Deviation", this.deviationHost),
-      panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step }))),
-      panel("Hints", this.hintsHost),
-      panel("Findings", defectsPanel(
-        this.store, (where, radius) => this.flyTo(new THREE.Vector3(...where), radius), (where) => this.findingMark?.show(where && new THREE.Vector3(...where)),
-      ), false),
+      "aside", { className: "side", "aria-label": "Panels" }, toolHost,
+      ...tabs(this.store, [
+        {
+          id: "design", name: "Design",
+          content: [
+            partsPanel(this.store, (component) => void this.ask("component", { component })),
+            panel("Design", designPanel(this.store, (edit) => void this.edit(edit), (sentence) => this.toasts.show("That did not work", sentence, "bad"))),
+            panel("Chart", chartPanel(this)),
+          ],
+        },
+        { id: "layers", name: "Layers", content: [panel("Layers", layersPanel(this.store))] },
+        {
+          id: "check", name: "Check", badge: () => this.toCheck(),
+          content: [
+            panel("Findings", defectsPanel(this.store, flyTo, (where) => this.findingMark?.show(where && new THREE.Vector3(...where)))),
+            panel("Hints", this.hintsHost),
+            panel("Quality", qualityPanel(this.store, (bin) => this.lightQuads(bin && ((q) => q >= bin.low - 1e-6 && (q < bin.high || bin.high >= 1))))),
+            panel("Deviation", this.deviationHost),
+          ],
+        },
+        { id: "history", name: "History", content: [panel("History", historyPanel(this.store, (step) => void this.ask("go_to", { step })))] },
+      ]),
     );
-    const middle = h("main", { className: "middle" }, canvasHost, overlay, progressBar(this.store, () => void this.ask("cancel")), lostBanner(this.store), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
+    // Nothing lies over the model for longer than a message.
+    const scene = h("div", { className: "scene" }, canvasHost, progressBar(this.store, () => void this.ask("cancel")), lostBanner(this.store), this.toasts.element, welcome(this.store, openMesh, (digest) => void this.ask("restore", digest ? { digest } : {})));
+    middle.append(h("div", { className: "model" }, hintLine, scene));
     root.append(top, h("div", { className: "body" }, h("nav", { className: "rail", id: "rail", "aria-label": "Tools" }), middle, side), statusBar(this.store, () => void this.ask("certify")));
     return help;
   }
@@ -398,7 +451,7 @@ export class App implements Workbench {
   private readonly theme = startTheme(() => this.stage?.show(this.store.get("layers")));
 
   /** Sees all of the chosen chart, or everything where none is. */
-  private frameChart(): void {
+  frameChart(): void {
     const chart = this.store.get("chart"), points = chart < 0 ? this.stage.surface.positions : this.stage.surface.pointsOf(chart);
     if (points.length > 0) this.viewport.frameOf(points);
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the parts of the page share, and how they learn that it changed.
 import type { Deviation, State } from "./net/messages";
-import type { LayerId } from "./scene/layers";
+import type { LayerId, ViewId } from "./scene/layers";
+
+export type TabId = "design" | "layers" | "check" | "history";
 
 export interface Shared {
   state: State | null;
@@ -13,6 +15,12 @@ export interface Shared {
   /** The chart that is looked at, or -1. */
   chart: number;
   tool: string;
+  /** Where the user is on the way from a mesh to quads, by the view of that step. */
+  step: ViewId;
+  /** The panels that are seen. */
+  tab: TabId;
+  /** How many edits are known to be worth while. */
+  hints: number;
   /** The axis that points up. */
   up: readonly [number, number, number];
 }
@@ -21,7 +29,7 @@ export type Key = keyof Shared;
 
 export class Store {
   private readonly values: Shared = {
-    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, deviation: null, chart: -1, tool: "select", up: [0, 1, 0],
+    state: null, layers: new Set<LayerId>(["surface"]), connected: false, busy: null, deviation: null, chart: -1, tool: "select", step: "surface", tab: "design", hints: 0, up: [0, 1, 0],
   };
   private readonly listeners = new Map<Key, ((...unused: never[]) => void)[]>();
 

@@ -31,7 +31,12 @@ export interface Workbench {
   cancelDrag(): void;
   /** Looks at a place of the surface from outside. */
   flyTo(place: THREE.Vector3, distance?: number): void;
+  /** Sees all of the chosen chart, or everything where none is. */
+  frameChart(): void;
   /** Lets only the quads shine whose quality passes; null: all. */
   lightQuads(lit: ((quality: number) => boolean) | null): void;
+  /** Goes to the step of that view. */
   setView(view: ViewId): void;
+  /** Shows the layers of a view, whatever the step. */
+  showLayersOf(view: ViewId): void;
 }

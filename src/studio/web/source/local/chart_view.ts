@@ -11,6 +11,7 @@ import type { ChartDisplay, PlaneListener, Shine } from "./chart_display";
 import { Texture, type PlanePoint } from "./texture";
 
 const margin = 26;
+const closest = 40, zoomStride = 1.25, panStride = 40;
 const glowColour = "#ffb454", anchorColour = "#4aa8ff";
 
 export class ChartView implements ChartDisplay {
@@ -25,19 +26,29 @@ export class ChartView implements ChartDisplay {
   private readonly mesh = new Lines(1.6, 0x16181d);
   private readonly dots = new THREE.Group();
   private readonly dotMaterial = markerMaterial();
+  /** How many times larger than as a whole, and what of the plane is in the middle; null: all of it. */
+  private zoom = 1;
+  private middle: PlanePoint | null = null;
+  private panned: { x: number; y: number } | null = null;
+  private proportion = 1;
   private shine: Shine = { places: [], vertices: [], anchors: [] };
   private pressed = false;
 
-  constructor(private readonly app: Workbench) {
-    const close = h("button", { className: "ghost small", title: "Close", "aria-label": "Close", onclick: () => app.store.set("chart", -1) }, icon(icons.close));
-    replace(this.panel, h("header", {}, this.title, this.facts, h("span", { className: "spring" }), close), this.canvas);
+  /** `bar` is what stands between this view and the model. */
+  constructor(private readonly app: Workbench, private readonly bar: HTMLElement) {
+    const button = (text: string, id: string, title: string, run: () => void): HTMLElement => h("button", { className: "ghost small", id, title, "aria-label": title, onclick: run }, text);
+    const close = h("button", { className: "ghost small", title: "Close", "aria-label": "Close the chart", onclick: () => app.store.set("chart", -1) }, icon(icons.close));
+    replace(this.panel, h("header", {}, this.title, this.facts, h("span", { className: "spring" }), button("−", "chart-further", "Smaller (−)", () => this.zoomBy(1 / zoomStride)), button("+", "chart-nearer", "Larger (+)", () => this.zoomBy(zoomStride)), button("All", "chart-all", "All of the chart (0)", () => this.fit()), close), this.canvas);
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("aria-label", "The chart's texture: wheel, + and − zoom, arrows or a drag with the right button move");
     this.listen();
+    this.listenToMoves();
     this.glow.object.renderOrder = 9;
     this.mesh.object.renderOrder = 3;
     this.dotMaterial.depthTest = false;
     this.dotMaterial.uniforms.ratio!.value = Math.min(devicePixelRatio, 2);
     app.viewport.scene.add(this.glow.object, this.mesh.object, this.dots);
-    app.store.watch(["chart", "state"], () => this.follow());
+    app.store.watch(["chart", "state", "tool"], () => this.follow());
     app.store.watch(["layers"], () => this.showOnSurface());
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
@@ -45,12 +56,16 @@ export class ChartView implements ChartDisplay {
   /** Takes the program's frame of a chart. */
   take(frame: Frame): void {
     const texture = new Texture(frame);
-    if (texture.id !== this.app.store.get("chart")) return;
+    if (texture.id !== this.wanted) return;
+    const opens = texture.id !== this.texture?.id;
+    if (opens) [this.zoom, this.middle] = [1, null];
+    this.proportion = texture.proportion;
     const isOther = texture.id !== this.texture?.id || texture.size !== this.texture.size;
     this.texture = texture;
     this.title.textContent = `${texture.kind === "disc" ? "Cap" : "Tube"} ${texture.id}`;
     this.facts.textContent = `${readable(texture.size)} quads`;
-    this.panel.hidden = false;
+    this.panel.hidden = this.bar.hidden = false;
+    if (opens) this.app.frameChart(); // in the room that is left
     this.app.tools.tellHint();
     this.mesh.set(this.app.stage.surface.drape(texture.edgesInSpace(Array.from({ length: texture.size }, (_, q) => q))));
     this.showOnSurface();
@@ -83,12 +98,18 @@ export class ChartView implements ChartDisplay {
     this.app.viewport.invalidate();
   }
 
+  /** The chart that is to be shown, or -1. */
+  private get wanted(): number {
+    const { store } = this.app, chart = store.get("chart");
+    return store.get("tool") === "texture" && store.get("state")?.facts?.charts.some((c) => c.id === chart) ? chart : -1;
+  }
+
   private follow(): void {
-    const chart = this.app.store.get("chart");
-    const charts = this.app.store.get("state")?.facts?.charts ?? [];
-    if (chart < 0 || !charts.some((c) => c.id === chart)) {
+    const chart = this.wanted;
+    if (chart < 0) {
+      if (this.panel.hidden && !this.texture) return;
       this.texture = null;
-      this.panel.hidden = true;
+      this.panel.hidden = this.bar.hidden = true;
       this.mesh.set(new Float32Array());
       this.mesh.show(false);
       this.light({ places: [], vertices: [], anchors: [] });
@@ -104,14 +125,16 @@ export class ChartView implements ChartDisplay {
     const listener = (): PlaneListener => this.listener ?? own;
     this.canvas.addEventListener("pointermove", (event) => {
       const at = this.planePoint(event);
+      if (this.panned) return this.panTo(event);
       if (at && this.pressed) listener().drag?.(at);
       else listener().hover(at);
     });
     this.canvas.addEventListener("pointerleave", () => !this.pressed && listener().hover(null));
     this.canvas.addEventListener("pointerdown", (event) => {
       const at = this.planePoint(event);
-      if (event.button !== 0 || !at) return;
       this.canvas.setPointerCapture(event.pointerId);
+      if (event.button !== 0 || event.shiftKey) return void (this.panned = { x: event.clientX, y: event.clientY });
+      if (!at) return;
       this.pressed = true;
       listener().press?.(at);
     });
@@ -119,7 +142,66 @@ export class ChartView implements ChartDisplay {
       const at = this.planePoint(event);
       if (this.pressed && at) listener().release?.(at);
       this.pressed = false;
+      this.panned = null;
     });
+  }
+
+  /** What moves and enlarges the plane. */
+  private listenToMoves(): void {
+    this.canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    this.canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      if (!event.ctrlKey && (event.shiftKey || Math.abs(event.deltaX) > 2 * Math.abs(event.deltaY))) return this.panBy(-event.deltaX, -event.deltaY);
+      this.zoomBy(1.0015 ** -event.deltaY, event);
+    }, { passive: false });
+    this.canvas.addEventListener("keydown", (event) => {
+      const moves: Record<string, () => void> = {
+        "+": () => this.zoomBy(zoomStride), "-": () => this.zoomBy(1 / zoomStride), "0": () => this.fit(),
+        ArrowLeft: () => this.panBy(panStride, 0), ArrowRight: () => this.panBy(-panStride, 0), ArrowUp: () => this.panBy(0, panStride), ArrowDown: () => this.panBy(0, -panStride),
+      };
+      const move = event.ctrlKey || event.metaKey || event.altKey ? undefined : moves[event.key];
+      if (!move) return;
+      event.preventDefault();
+      event.stopPropagation();
+      move();
+    });
+  }
+
+  /** Shows all of the chart. */
+  private fit(): void {
+    [this.zoom, this.middle] = [1, null];
+    this.draw();
+  }
+
+  /** Larger by a factor above 1; what is under the pointer stays there, or without one what is in the middle. */
+  private zoomBy(factor: number, pointer?: MouseEvent): void {
+    const t = this.texture, at = pointer && this.planePoint(pointer);
+    if (!t) return;
+    const before = this.zoom, [v, u] = this.centre(t);
+    this.zoom = Math.min(Math.max(before * factor, 1), closest);
+    const kept = before / this.zoom; // of the way from what stays to the middle
+    if (at) this.middle = [at[0] + (v - at[0]) * kept, at[1] + (u - at[1]) * kept];
+    if (this.zoom === 1) this.middle = null;
+    this.draw();
+  }
+
+  private panTo(event: PointerEvent): void {
+    const from = this.panned!;
+    this.panned = { x: event.clientX, y: event.clientY };
+    this.panBy(event.clientX - from.x, event.clientY - from.y);
+  }
+
+  /** Moves what is drawn by pixels; something of it stays in sight. */
+  private panBy(x: number, y: number): void {
+    const t = this.texture;
+    if (!t) return;
+    const s = this.scale(t), [v, u] = this.centre(t);
+    this.middle = [Math.min(Math.max(v - x / s.a, 0), t.width), Math.min(Math.max(u + y / s.b, 0), t.height)];
+    this.draw();
+  }
+
+  private centre(t: Texture): PlanePoint {
+    return this.middle ?? [t.width / 2, t.height / 2];
   }
 
   private drawDots(): void {
@@ -146,15 +228,16 @@ export class ChartView implements ChartDisplay {
   }
 
   private scale(t: Texture): { x: (v: number) => number; y: (u: number) => number; a: number; b: number } {
-    const w = this.canvas.clientWidth - 2 * margin, hgt = this.canvas.clientHeight - 2 * margin;
-    return { x: (v) => margin + (v / t.width) * w, y: (u) => margin + (1 - u / t.height) * hgt, a: w / t.width, b: hgt / t.height };
+    const { clientWidth, clientHeight } = this.canvas, wide = Math.max(clientWidth - 2 * margin, 1), high = Math.max(clientHeight - 2 * margin, 1);
+    const a = this.zoom * Math.min(wide / t.width, high / (t.height * this.proportion)), b = a * this.proportion, [v0, u0] = this.centre(t);
+    return { x: (v) => clientWidth / 2 + (v - v0) * a, y: (u) => clientHeight / 2 - (u - u0) * b, a, b };
   }
 
-  private planePoint(event: PointerEvent): PlanePoint | null {
+  private planePoint(event: MouseEvent): PlanePoint | null {
     const t = this.texture;
     if (!t) return null;
     const box = this.canvas.getBoundingClientRect(), s = this.scale(t);
-    return [(event.clientX - box.left - margin) / s.a, t.height - (event.clientY - box.top - margin) / s.b];
+    return [(event.clientX - box.left - s.x(0)) / s.a, (s.y(0) - (event.clientY - box.top)) / s.b];
   }
 
   /** Where a vertex is on the screen, in pixels of the page; for tests. */
@@ -196,12 +279,17 @@ export class ChartView implements ChartDisplay {
     if (t.kind === "disc") context.strokeRect(s.x(0), s.y(t.height), s.a * t.width, s.b * t.height);
     else this.drawTubeFrame(context, t, s, colour("--soft"));
     context.fillStyle = colour("--soft");
+    this.drawLabels(context, t, s);
+  }
+
+  /** What the upper and the lower side of the plane are, beside them, where they are in sight. */
+  private drawLabels(context: CanvasRenderingContext2D, t: Texture, s: ReturnType<ChartView["scale"]>): void {
     context.font = "12px system-ui, sans-serif";
     context.textAlign = "center";
     const middle = this.canvas.clientWidth / 2, below = t.kind === "annulus" ? "lower contour: the left and right ends are joined" : "the other three sides follow";
     const fits = context.measureText(below).width < this.canvas.clientWidth - 8;
-    context.fillText(t.kind === "annulus" ? "upper contour" : "one side of the square", middle, 15);
-    context.fillText(fits ? below : below.replace(/:.*/, ""), middle, this.canvas.clientHeight - 9);
+    context.fillText(t.kind === "annulus" ? "upper contour" : "one side of the square", middle, s.y(t.height) - 9);
+    context.fillText(fits ? below : below.replace(/:.*/, ""), middle, s.y(0) + 18);
   }
 
   private drawShine(context: CanvasRenderingContext2D, t: Texture, s: ReturnType<ChartView["scale"]>): void {

@@ -35,6 +35,22 @@ export class Texture {
     this.names = { quad: floats(frame, "quad_point"), edge: floats(frame, "edge_point"), corner: floats(frame, "corner_point") };
   }
 
+  /** How much longer a unit of U is on the surface than one of V. */
+  get proportion(): number {
+    const along = { plane: 0, space: 0 }, up = { plane: 0, space: 0 }; // of the edges that run along V, and along U
+    for (let q = 0; q < this.size; ++q) {
+      const flat = this.corners(q), space = this.cornersInSpace(q);
+      for (let c = 0; c < 4; ++c) {
+        const d = (c + 1) % 4, [dv, du] = [Math.abs(flat[c]![0] - flat[d]![0]), Math.abs(flat[c]![1] - flat[d]![1])];
+        const sum = dv > du ? along : up;
+        sum.plane += Math.max(dv, du);
+        sum.space += space[c]!.distanceTo(space[d]!);
+      }
+    }
+    const ratio = (up.space / up.plane) * (along.plane / along.space);
+    return Number.isFinite(ratio) && ratio > 0 ? ratio : 1;
+  }
+
   get size(): number {
     return this.quads.length / 4;
   }

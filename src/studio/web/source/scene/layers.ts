@@ -16,7 +16,7 @@ export const layerList: readonly LayerInfo[] = [
   { id: "field", name: "Field", key: "2", about: "The function whose level lines guide the quads: blue is low, red is high" },
   { id: "isolines", name: "Isolines", key: "3", about: "Level lines of the field: quads will run along and across them" },
   { id: "charts", name: "Charts", key: "4", about: "The pieces between the contours; each is filled with a grid of quads" },
-  { id: "contours", name: "Contours", key: "5", about: "The curves along which the surface is cut into charts" },
+  { id: "contours", name: "Contours", key: "5", about: "The curves along which the surface is cut into charts; those with a light middle run through no saddle" },
   { id: "critical", name: "Critical points", key: "6", about: "Minima, saddles and maxima of the field" },
   { id: "reeb", name: "Reeb graph", key: "7", about: "One line for each chart, joined where the charts meet" },
   { id: "textures", name: "Textures", key: "t", about: "The grids that fill the charts, before the quads are relaxed" },

@@ -29,11 +29,25 @@ export interface Contour {
 
 const contourWidth = 3.2;
 
+/** A contour that runs through no saddle and is no boundary. */
+export function isFree(contour: Contour): boolean {
+  return contour.kind === "regular";
+}
+
+function pairsOf(contours: readonly Contour[]): Float32Array {
+  const pairs: number[] = [];
+  for (const { points } of contours)
+    for (let i = 0; i + 1 < points.length; ++i) pairs.push(...points[i]!.toArray(), ...points[i + 1]!.toArray());
+  return new Float32Array(pairs);
+}
+
 export class Stage {
   readonly surface = new Surface();
   readonly quads = new Quads();
   readonly others = new Others();
   readonly contourLines = new Lines(contourWidth, 0x16181d);
+  /** In the middle of contours that run through no saddle: these can be dragged and removed. */
+  readonly freeLines = new Lines(1.4, 0xffffff);
   readonly textureLines = new Lines(1.4, 0x16181d, { opacity: 0.85 });
   /** The quads' edges on the surface, and sharp edges that none of them follows. */
   readonly wireframe = new Lines(1.2, 0x23262d, { opacity: 0.85 });
@@ -66,6 +80,7 @@ export class Stage {
     this.wireframe.object.renderOrder = 1;
     this.lostEdges.object.renderOrder = 3;
     this.contourLines.object.renderOrder = 2;
+    this.freeLines.object.renderOrder = 2;
     this.reebLines.object.renderOrder = 7;
     this.chosenContour.object.renderOrder = 6;
     this.outline.object.renderOrder = 3;
@@ -75,7 +90,7 @@ export class Stage {
       this.quads.update();
     });
     viewport.scene.add(
-      this.others.group, this.surface.group, this.quads.group, this.wireframe.object, this.lostEdges.object, this.outline.object, this.textureLines.object, this.contourLines.object, this.chosenContour.object, this.reebLines.object,
+      this.others.group, this.surface.group, this.quads.group, this.wireframe.object, this.lostEdges.object, this.outline.object, this.textureLines.object, this.contourLines.object, this.freeLines.object, this.chosenContour.object, this.reebLines.object,
     );
   }
 
@@ -132,6 +147,8 @@ export class Stage {
     this.quads.show(on("quads"), on("valences"));
     this.contourLines.show(on("contours"));
     this.contourLines.setXray(seeThrough, isDark);
+    this.freeLines.show(on("contours") && !(seeThrough && isDark)); // the contours are light there
+    this.freeLines.material.depthTest = !seeThrough;
     if (on("textures") && this.textures) {
       this.textureLines.set(this.surface.drape(this.textures));
       this.textures = null;
@@ -237,18 +254,15 @@ export class Stage {
 
   /** Lets contours shine. */
   choose(chosen: readonly Contour[]): void {
-    const pairs: number[] = [];
-    for (const { points } of chosen)
-      for (let i = 0; i + 1 < points.length; ++i) pairs.push(...points[i]!.toArray(), ...points[i + 1]!.toArray());
-    this.chosenContour.set(new Float32Array(pairs));
+    this.chosenContour.set(pairsOf(chosen));
     this.chosenContour.show(chosen.length > 0);
     this.viewport.invalidate();
   }
 
-  /** Lets the contour under the pointer shine. */
-  chooseAt(event: { clientX: number; clientY: number }): void {
+  /** Lets the contour under the pointer shine, if it passes. */
+  chooseAt(event: { clientX: number; clientY: number }, passes: (contour: Contour) => boolean = () => true): void {
     const contour = this.contourAt(event);
-    this.choose(contour ? [contour] : []);
+    this.choose(contour && passes(contour) ? [contour] : []);
   }
 
   private isInSight(point: THREE.Vector3): boolean {
@@ -268,12 +282,14 @@ export class Stage {
       for (let p = begin[i]!; p < begin[i + 1]!; ++p) line.push(new THREE.Vector3().fromArray(points, 3 * p));
       return { edge, kind: kinds[i] ?? "regular", count: counts[i] ?? 0, points: line };
     });
+    this.freeLines.set(pairsOf(this.contours.filter(isFree)));
     this.choose([]);
   }
 
   private clearContours(): void {
     this.contours = [];
     this.contourLines.set(new Float32Array());
+    this.freeLines.set(new Float32Array());
     this.choose([]);
   }
 

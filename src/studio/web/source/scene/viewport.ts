@@ -35,6 +35,8 @@ export class Viewport {
   private points: Float32Array = new Float32Array();
   private flight: { from: THREE.Vector3; to: THREE.Vector3; eyeFrom: THREE.Vector3; eyeTo: THREE.Vector3; start: number } | null = null;
 
+  private readonly size = new THREE.Vector2();
+
   constructor(readonly host: HTMLElement) {
     THREE.ColorManagement.enabled = false;
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
@@ -90,6 +92,7 @@ export class Viewport {
 
   /** Sees all of these points from where it is. */
   frameOf(points: Float32Array): void {
+    this.resize();
     const { centre } = ballOf(points), direction = this.camera.position.clone().sub(this.controls.target).normalize();
     this.fly(centre, direction.clone().multiplyScalar(this.distanceFor(points, centre, direction)), true);
   }
@@ -224,6 +227,8 @@ export class Viewport {
 
   private resize(): void {
     const width = Math.max(this.host.clientWidth, 1), height = Math.max(this.host.clientHeight, 1);
+    if (width === this.size.x && height === this.size.y) return;
+    this.size.set(width, height);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

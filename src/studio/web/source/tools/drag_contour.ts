@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Workbench } from "../workbench";
+import { isFree } from "../scene/stage";
 import { icons } from "../ui/icons";
 import { pick, surfacePoint, type Picked } from "./pick";
 import type { Tool } from "./tool";
@@ -16,19 +17,19 @@ export class DragContourTool implements Tool {
   constructor(private readonly app: Workbench) {}
 
   hint(): string {
-    return "Drag a contour without saddles to where it is to run.";
+    return "Drag a contour with a light middle to where it is to run.";
   }
   begin(): void {
-    if (!this.app.store.get("layers").has("contours")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("contours")) this.app.showLayersOf("atlas");
   }
   end(): void {
     this.app.stage.choose([]);
   }
   hover(event: PointerEvent): void {
-    this.app.stage.chooseAt(event);
+    this.app.stage.chooseAt(event, isFree);
   }
   press(event: PointerEvent): boolean {
-    this.grabbed = pick(this.app, event, "contour");
+    this.grabbed = pick(this.app, event, "free");
     this.moves = false;
     return this.grabbed !== null;
   }

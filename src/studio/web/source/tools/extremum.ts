@@ -42,7 +42,7 @@ export class ExtremumTool implements Tool {
   }
 
   begin(): void {
-    this.app.setView(this.begins ? "surface" : "field");
+    this.app.showLayersOf("field");
     this.showBox();
   }
   refresh(): void {

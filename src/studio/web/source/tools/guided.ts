@@ -5,8 +5,10 @@ import type { Workbench } from "../workbench";
 import type { Edit } from "../net/messages";
 import { markers } from "../scene/lines";
 import { markerMaterial, Shape } from "../scene/materials";
+import { isFree } from "../scene/stage";
 import { h } from "../ui/dom";
 import { icons } from "../ui/icons";
+import { Preview } from "./preview";
 import { missed, pick, surfacePoint, type Picked, type Target } from "./pick";
 import type { Tool } from "./tool";
 
@@ -41,7 +43,7 @@ export const guides: Guide[] = [
   {
     id: "contour", name: "Contours", key: "c", icon: icons.remove,
     variants: [
-      { name: "Remove", about: "Removes a contour without saddles; its two charts become one.", steps: [{ target: "contour", hint: "Click the contour to remove." }], make: ([at]) => ({ edit: "remove_contour", at }) },
+      { name: "Remove", about: "Removes a contour without saddles; its two charts become one.", steps: [{ target: "free", hint: "Click the contour to remove: one with a light middle." }], make: ([at]) => ({ edit: "remove_contour", at }) },
       { name: "Straighten", about: "Pulls a contour as short as its charts allow.", steps: [{ target: "contour", hint: "Click the contour to straighten." }], make: ([at]) => ({ edit: "straighten_contour", at }) },
       { name: "Snap", about: "Pulls a contour onto sharp edges near it.", steps: [{ target: "contour", hint: "Click the contour to pull onto sharp edges." }], make: ([at]) => ({ edit: "snap_contour", at }) },
     ],
@@ -100,6 +102,7 @@ export class GuidedTool implements Tool {
   private variant: Variant;
   private picked: Picked[] = [];
   private notice = "";
+  private readonly preview: Preview;
   private readonly marks = new THREE.Group();
   private readonly material = markerMaterial();
 
@@ -111,18 +114,20 @@ export class GuidedTool implements Tool {
     this.variant = guide.variants[0]!;
     this.material.depthTest = false;
     this.material.uniforms.ratio!.value = Math.min(devicePixelRatio, 2);
+    this.preview = new Preview(app, () => app.tools.tellHint(this.preview.refusal !== ""));
     app.viewport.scene.add(this.marks);
   }
 
   hint(): string {
     const step = this.variant.steps[this.picked.length];
     const number = this.variant.steps.length > 1 ? `${this.picked.length + 1} of ${this.variant.steps.length}: ` : "";
+    if (this.preview.refusal) return `Refused here: ${this.preview.refusal}`;
     return this.notice || (step ? number + step.hint : "");
   }
 
   begin(): void {
     this.restart();
-    if (!this.app.store.get("layers").has("surface")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("surface")) this.app.showLayersOf("atlas");
     this.showBox();
   }
 
@@ -136,6 +141,14 @@ export class GuidedTool implements Tool {
     const step = this.variant.steps[this.picked.length];
     if (step?.target === "surface") this.app.stage.setHovered(pick(this.app, event, "surface")?.chart ?? -1);
     if (step?.target === "contour") this.app.stage.chooseAt(event);
+    if (step?.target === "free") this.app.stage.chooseAt(event, isFree);
+    const found = step && this.picked.length + 1 === this.variant.steps.length ? pick(this.app, event, step.target) : null;
+    this.preview.show(found && this.editOf([...this.picked, found]));
+  }
+
+  leave(): void {
+    this.preview.show(null);
+    this.app.stage.setHovered(-1);
   }
 
   click(event: PointerEvent): void {
@@ -161,14 +174,20 @@ export class GuidedTool implements Tool {
   }
 
   private finish(): void {
-    const edit = this.variant.make(this.picked.map((p) => surfacePoint(this.app, p.point)));
+    const edit = this.editOf(this.picked);
     this.picked = [];
+    this.preview.show(null);
     void this.app.edit(edit);
+  }
+
+  private editOf(picked: readonly Picked[]): Edit {
+    return this.variant.make(picked.map((p) => surfacePoint(this.app, p.point)));
   }
 
   private restart(): void {
     this.picked = [];
     this.notice = "";
+    this.preview.show(null);
     this.drawMarks();
     this.app.stage.choose([]);
   }

@@ -3,8 +3,9 @@
 import type { Workbench } from "../workbench";
 import type { Vector } from "../net/messages";
 import type * as THREE from "three";
+import { isFree } from "../scene/stage";
 
-export type Target = "surface" | "saddle" | "extremum" | "contour";
+export type Target = "surface" | "saddle" | "extremum" | "contour" | "free";
 
 export interface Picked {
   point: THREE.Vector3;
@@ -17,6 +18,7 @@ export const missed: Record<Target, string> = {
   saddle: "There is no saddle here: they are the yellow diamonds.",
   extremum: "There is no extremum here: they are the blue and red triangles.",
   contour: "There is no contour here: they are the dark curves.",
+  free: "There is no contour here that this can be done with: those have a light line in their middle, and run through no saddle.",
 };
 
 export function pick(app: Workbench, event: PointerEvent, target: Target): Picked | null {
@@ -29,6 +31,7 @@ export function pick(app: Workbench, event: PointerEvent, target: Target): Picke
   const hit = stage.surface.pick(viewport.ray(event));
   if (target === "surface") return hit && { point: hit.point, chart: hit.chart };
   const contour = stage.contourAt(event);
+  if (target === "free" && contour && !isFree(contour)) return null;
   return contour && { point: nearest(contour.points, hit?.point ?? contour.points[0]!), chart: hit?.chart ?? -1 };
 }
 

@@ -75,12 +75,12 @@ export class PlaneTool implements Tool {
         ? "Drag the diamond over the surface. The rings tilt the plane, N lets it touch the surface again, Enter applies."
         : "Click a saddle, or a contour that runs through one.";
     return this.held
-      ? "Drag the arrows or rings. R turns, T shifts, Enter applies. Click the contour twice to move only the part between."
+      ? "Drag a ring to turn the plane (R), or its arrow to shift it (T); Enter applies. Click the contour twice to move only the part between."
       : "Click the contour to move.";
   }
 
   begin(): void {
-    if (!this.app.store.get("layers").has("contours")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("contours")) this.app.showLayersOf("atlas");
     this.showBox();
   }
 
@@ -133,8 +133,8 @@ export class PlaneTool implements Tool {
     if (event.key === "l") this.choose(!this.wholeSaddle);
     else if (!this.held) return false;
     else if (event.key === "Enter") this.apply();
-    else if (event.key === "r") this.gizmo.setMode("rotate");
-    else if (event.key === "t" && !this.wholeSaddle) this.gizmo.setMode("translate");
+    else if (event.key === "r") this.setMode("rotate");
+    else if (event.key === "t" && !this.wholeSaddle) this.setMode("translate");
     else if (event.key === "n" && this.wholeSaddle) this.touch();
     else if (event.key === "Escape") this.drop();
     else return false;
@@ -208,10 +208,17 @@ export class PlaneTool implements Tool {
     this.plane.scale.setScalar((held.saddle ? 1.4 : 2.6) * radius);
     this.plane.visible = true;
     this.gizmo.attach(this.plane);
-    this.gizmo.setMode("rotate");
-    this.gizmo.showZ = held.saddle === null; // without the rings around the sign, which is to be dragged
+    this.setMode("rotate");
     this.app.stage.choose(held.contours);
     this.showBox();
+  }
+
+  // A turn around its normal, and a shift in itself, would leave a plane what it is: there is no handle for them.
+  private setMode(mode: "rotate" | "translate"): void {
+    this.gizmo.setMode(mode);
+    this.gizmo.showX = this.gizmo.showY = mode === "rotate";
+    this.gizmo.showZ = mode === "translate";
+    this.app.viewport.invalidate();
   }
 
   private drop(): void {
@@ -270,7 +277,8 @@ export class PlaneTool implements Tool {
   private changed(ask = true): void {
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.normal, this.plane.position);
     this.drawMarks();
-    this.drawCurve(this.app.stage.surface.intersection(plane));
+    // Between anchors the program takes another plane, through both: what it makes is drawn when it has said it.
+    this.drawCurve(this.anchors.length === 2 ? new Float32Array() : this.app.stage.surface.intersection(plane));
     this.setRefusal("");
     clearTimeout(this.timer);
     ++this.question;
@@ -358,8 +366,8 @@ export class PlaneTool implements Tool {
             : "The contour goes where the plane meets the surface. A contour with a saddle keeps its saddle.",
         ),
         h(
-          "div", { className: "row" }, button("Turn (R)", () => this.gizmo.setMode("rotate")),
-          this.wholeSaddle ? button("Touch (N)", () => this.touch()) : button("Shift (T)", () => this.gizmo.setMode("translate")),
+          "div", { className: "row" }, button("Turn (R)", () => this.setMode("rotate")),
+          this.wholeSaddle ? button("Touch (N)", () => this.touch()) : button("Shift (T)", () => this.setMode("translate")),
           h("button", { className: "small primary", id: "apply-plane", disabled: !ready, onclick: () => this.apply() }, "Apply"),
         ),
       ),

@@ -83,7 +83,7 @@ export class TextureTool implements Tool {
   }
 
   begin(): void {
-    if (!this.app.store.get("layers").has("surface")) this.app.setView("atlas");
+    if (!this.app.store.get("layers").has("surface")) this.app.showLayersOf("atlas");
     this.app.chartView.listener = {
       hover: (at) => this.hoverAt((kind) => (at ? (this.texture?.placeAt(kind, at) ?? null) : null)),
       press: (at) => this.grab(this.texture?.placeAt("corner", at) ?? null),

@@ -16,6 +16,8 @@ export interface Tool {
   end?(): void;
   /** The pointer moves with no button down. */
   hover?(event: PointerEvent): void;
+  /** The pointer is over the surface no more. */
+  leave?(): void;
   /** A click that was no drag. */
   click?(event: PointerEvent): void;
   /** A button goes down; true claims the drag that follows. */
@@ -30,9 +32,10 @@ export interface Tool {
   refresh?(): void;
 }
 
-/** What one tool sees of them all: the line and the corner of the view where the active one speaks. */
+/** What one tool sees of them all: the line where the active one speaks, and the place of its controls. */
 export interface Tools {
-  /** The tool's own controls, in the corner of the view. */
+  choose(id: string): void;
+  /** The tool's own controls, at the top of the panels. */
   setBox(box: HTMLElement | null): void;
   /** Says the active tool's hint anew. */
   tellHint(bad?: boolean): void;

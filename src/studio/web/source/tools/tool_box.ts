@@ -5,6 +5,7 @@ import { PlaceMark } from "../scene/place_mark";
 import type { Workbench } from "../workbench";
 import { h, icon } from "../ui/dom";
 import type { KeyNotes, Shortcut } from "../ui/keyboard";
+import { stepOf } from "../ui/steps_bar";
 import type { Tool, Tools } from "./tool";
 
 const clickTolerance = 4; // pixels that a click may move
@@ -12,20 +13,19 @@ const clickTolerance = 4; // pixels that a click may move
 export class ToolBox implements Tools {
   private readonly tools: Tool[] = [];
   private active: Tool | null = null;
-  private readonly hintLine = h("div", { className: "hint-line", role: "status" });
-  private readonly boxHost = h("div", {});
   private pressed: { x: number; y: number; claimed: boolean; abandoned?: boolean } | null = null;
   private readonly refusedMark: PlaceMark;
   /** Where the pointer is on the surface while it drags. */
   private pointed: THREE.Vector3 | null = null;
 
-  constructor(private readonly app: Workbench, overlay: HTMLElement) {
-    overlay.append(this.hintLine, this.boxHost);
+  /** `hintLine` says what to do now; `boxHost` has the active tool's controls. */
+  constructor(private readonly app: Workbench, private readonly hintLine: HTMLElement, private readonly boxHost: HTMLElement) {
     this.refusedMark = new PlaceMark(app.viewport, [0.9, 0.22, 0.2]);
     const canvas = app.viewport.canvas;
     // Before the camera's own listeners, so that a tool can claim the drag.
     canvas.addEventListener("pointerdown", (e) => this.down(e), true);
     window.addEventListener("pointermove", (e) => this.move(e));
+    canvas.addEventListener("pointerleave", () => !this.pressed && this.active?.leave?.());
     window.addEventListener("pointerup", (e) => this.up(e));
     window.addEventListener("keydown", (e) => {
       if ((e.target as HTMLElement).matches("input, select, textarea")) return;
@@ -33,11 +33,13 @@ export class ToolBox implements Tools {
         e.stopImmediatePropagation();
         return this.abandon();
       }
-      if (this.active?.key_?.(e)) {
-        e.preventDefault();
-        e.stopImmediatePropagation();
-      }
+      if (!this.active?.key_?.(e) && !this.clickByKey(e)) return;
+      e.preventDefault();
+      e.stopImmediatePropagation();
     }, true);
+    // By keys the view is moved under its middle, which is marked then: what is there is as what a pointer is on.
+    app.viewport.controls.addEventListener("change", () => this.isByKeys && this.active?.hover?.(this.atMiddle("pointermove")));
+    app.store.watch(["step"], () => this.tellHint());
     app.store.watch(["state"], () => {
       for (const tool of this.tools) this.buttonOf(tool.id)!.disabled = !this.isPossible(tool.id);
       if (this.active && !this.isPossible(this.active.id)) this.choose("select");
@@ -59,10 +61,16 @@ export class ToolBox implements Tools {
     document.getElementById("rail")?.append(button);
   }
 
+  /** Begins another group of tools in the rail. */
+  divide(name: string): void {
+    document.getElementById("rail")?.append(h("h3", {}, name));
+  }
+
   choose(id: string): void {
     if (!this.isPossible(id)) return;
     this.active?.end?.();
     this.active = this.tools.find((t) => t.id === id) ?? null;
+    this.app.store.set("step", stepOf(id) ?? this.app.store.get("step"));
     this.active?.begin?.();
     this.app.store.set("tool", id);
     for (const b of document.querySelectorAll<HTMLElement>(".tool")) b.classList.toggle("on", b.dataset.tool === id);
@@ -94,7 +102,7 @@ export class ToolBox implements Tools {
     return Object.fromEntries(this.tools.flatMap(({ name, keys }) => (keys ? [[name, keys]] : [])));
   }
 
-  /** The tool's own controls, in the corner of the view. */
+  /** The tool's own controls, at the top of the panels. */
   setBox(box: HTMLElement | null): void {
     this.boxHost.replaceChildren(...(box ? [box] : []));
   }
@@ -104,7 +112,6 @@ export class ToolBox implements Tools {
     this.hintLine.classList.toggle("bad", bad);
     const hint = this.app.store.get("state")?.file ? (this.active?.hint() ?? "") : "";
     this.hintLine.textContent = hint;
-    this.hintLine.hidden = hint === "";
   }
 
   tellRefusal(reason: string | null): void {
@@ -113,6 +120,24 @@ export class ToolBox implements Tools {
     if (reason === null) return this.tellHint();
     this.tellHint(true);
     this.hintLine.textContent = `This place is refused: ${reason}. Let go here, or press Escape, and all is as before.`;
+  }
+
+  private get isByKeys(): boolean {
+    return this.app.viewport.canvas.matches(":focus-visible");
+  }
+
+  private atMiddle(kind: string): PointerEvent {
+    const { left, top, width, height } = this.app.viewport.canvas.getBoundingClientRect();
+    return new PointerEvent(kind, { clientX: left + width / 2, clientY: top + height / 2 });
+  }
+
+  /** Space in the view is a click in its middle. */
+  private clickByKey(event: KeyboardEvent): boolean {
+    if (event.key !== " " || event.target !== this.app.viewport.canvas || !this.active) return false;
+    const at = this.atMiddle("pointerup");
+    if (this.active.press?.(at)) this.active.release?.(at);
+    else this.active.click?.(at);
+    return true;
   }
 
   private abandon(): void {

@@ -37,6 +37,7 @@ function controls(app: Workbench, chart: ChartFacts): HTMLElement[] {
   const title = h("p", {}, h("strong", {}, chartName(chart)), `: ${chart.columns} × ${chart.rows} quads${chart.locked ? ", locked" : ""}`);
   const actions = h(
     "div", { className: "chart-actions" },
+    h("button", { className: "small", id: "open-texture", title: "Shows the chart's texture beside the model, to edit it (G)", onclick: () => app.tools.choose("texture") }, "Open texture"),
     h("button", { className: "small", id: "lock", onclick: () => send((at) => ({ edit: "lock_chart", at, locked: !chart.locked })) }, chart.locked ? "Unlock" : "Lock"),
     tube && h("button", { className: "small", id: "subdivide-here", onclick: () => send((at) => ({ edit: "subdivide_chart", at })) }, "Add contour"),
     tube && h("button", { className: "small", onclick: () => send((at) => ({ edit: "collapse_chart", at })) }, "Collapse"),

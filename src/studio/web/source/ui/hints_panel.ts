@@ -59,6 +59,7 @@ export class HintsPanel {
 
   private draw(): void {
     const state = this.app.store.get("state");
+    this.app.store.set("hints", this.hints?.length ?? 0);
     const rows: (HTMLElement | null)[] = [];
     const folded = state?.statistics?.inverted_quads ?? 0;
     if (folded > 0)

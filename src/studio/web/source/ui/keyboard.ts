@@ -42,7 +42,7 @@ export type KeyNotes = [string, string][];
 const gestures: Record<string, KeyNotes> = {
   Mouse: [["drag", "turn"], ["right drag, Shift + drag", "move"], ["wheel", "zoom to the pointer"], ["double click", "turn around that point"]],
   Touchpad: [["pinch, two fingers", "zoom to the pointer"], ["two fingers sideways", "move"], ["Shift + two fingers", "move"]],
-  "In the view": [["arrows", "move"], ["Shift + arrows", "turn"]],
+  "In the view": [["arrows", "move"], ["Shift + arrows", "turn"], ["Space", "click in the middle"]],
 };
 
 /** The map of all keys; `notes` are those that are not for every moment. */

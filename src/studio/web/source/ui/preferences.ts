@@ -8,16 +8,19 @@ export interface Preferred {
   theme: ThemeName | null;
   shading: Shading;
   orthographic: boolean;
+  /** The part of the middle that the view of a chart has. */
+  split: number;
 }
 
 const possible: { [K in keyof Preferred]: (value: unknown) => boolean } = {
   theme: (value) => value === "dark" || value === "light",
   shading: (value) => value === "smooth" || value === "crease" || value === "flat",
   orthographic: (value) => typeof value === "boolean",
+  split: (value) => typeof value === "number" && value > 0 && value < 1,
 };
 
 export class Preferences {
-  private values: Preferred = { theme: null, shading: "crease", orthographic: false };
+  private values: Preferred = { theme: null, shading: "crease", orthographic: false, split: 0.45 };
   private readonly listeners: (() => void)[] = [];
 
   constructor(private readonly connection: Connection) {}
