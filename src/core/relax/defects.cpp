@@ -29,16 +29,42 @@ std::vector<char> near_defects(const State& state, const std::vector<int>& defec
   for (std::size_t q = 0; q < defects.size(); ++q)
     if (defects[q])
       for (int v : state.mesh.quads[q]) mask[v] = 1;
-  for (int ring = 0; ring < rings; ++ring) {
-    const std::vector<char> inner = mask;
-    for (const Quad& q : state.mesh.quads)
-      if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
-        for (int v : q) mask[v] = 1;
-  }
+  add_rings(state.mesh, rings, mask);
   return mask;
 }
 
+bool has_more(const std::vector<int>& now, const std::vector<int>& before) {
+  for (std::size_t q = 0; q < now.size(); ++q)
+    if (now[q] > before[q]) return true;
+  return false;
+}
+
 } // namespace
+
+void add_rings(const Quad_mesh& mesh, int rings, std::vector<char>& mask) {
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> inner = mask;
+    for (const Quad& q : mesh.quads)
+      if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
+        for (int v : q) mask[v] = 1;
+  }
+}
+
+std::vector<int> without_new_defects(State& state, const State::Snapshot& snapshot,
+                                     const std::vector<int>& before, int times) {
+  std::vector<int> now = count_defects(state);
+  for (int i = 0; i < times && has_more(now, before); ++i) {
+    std::vector<int> more(now.size());
+    for (std::size_t q = 0; q < now.size(); ++q) more[q] = std::max(0, now[q] - before[q]);
+    const Regions spoilt(state, more, 1 + 2 * i);
+    for (int v = 0; v < state.number_of_vertices(); ++v)
+      if (spoilt.of_vertex[v] >= 0) state.restore(snapshot, v);
+    now = count_defects(state);
+  }
+  if (!has_more(now, before)) return now;
+  for (int v = 0; v < state.number_of_vertices(); ++v) state.restore(snapshot, v);
+  return before;
+}
 
 Regions::Regions(const State& state, const std::vector<int>& defects, int rings)
     : of_vertex(state.number_of_vertices(), -1) {

@@ -13,6 +13,14 @@ namespace relaxation {
 /// Per quad: how often it is inverted (nearly: a scaled Jacobian below 0.01) or meets another one.
 std::vector<int> count_defects(const State& state);
 
+/// Takes vertices back to the snapshot around quads that have more defects than `before`: up to so many
+/// times, each time with more around them, and then all. Returns the defects that are left.
+std::vector<int> without_new_defects(State& state, const State::Snapshot& snapshot,
+                                     const std::vector<int>& before, int times);
+
+/// Marks the vertices within so many rings of quads around those that are marked, too.
+void add_rings(const Quad_mesh& mesh, int rings, std::vector<char>& mask);
+
 /// The surroundings of quads with defects, by connected region.
 struct Regions {
   std::vector<int> of_vertex; ///< the region of each vertex within `rings` quads of a defect; -1 elsewhere

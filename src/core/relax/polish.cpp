@@ -18,12 +18,6 @@ constexpr int withdrawals = 3;
 // A vertex farther from the surface, in edges, has left it for a reason, and would be brought back.
 constexpr double on_surface = 1e-6;
 
-bool has_more(const std::vector<int>& now, const std::vector<int>& before) {
-  for (std::size_t q = 0; q < now.size(); ++q)
-    if (now[q] > before[q]) return true;
-  return false;
-}
-
 } // namespace
 
 std::vector<int> polish(State& state, double wanted, const std::vector<int>& defects, Observer* observer) {
@@ -34,18 +28,7 @@ std::vector<int> polish(State& state, double wanted, const std::vector<int>& def
     free[v] = (state.constrain(v, p).point - p).norm() <= on_surface * state.size_around(v);
   }
   untangle(state, wanted, rounds_of_polish, &free, observer);
-  std::vector<int> now = count_defects(state);
-  for (int i = 0; i < withdrawals && has_more(now, defects); ++i) {
-    std::vector<int> more(now.size());
-    for (std::size_t q = 0; q < now.size(); ++q) more[q] = std::max(0, now[q] - defects[q]);
-    const Regions spoilt(state, more, 1 + 2 * i);
-    for (int v = 0; v < state.number_of_vertices(); ++v)
-      if (spoilt.of_vertex[v] >= 0) state.restore(snapshot, v);
-    now = count_defects(state);
-  }
-  if (!has_more(now, defects)) return now;
-  for (int v = 0; v < state.number_of_vertices(); ++v) state.restore(snapshot, v);
-  return defects;
+  return without_new_defects(state, snapshot, defects, withdrawals);
 }
 
 } // namespace relaxation

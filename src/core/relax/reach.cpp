@@ -3,6 +3,7 @@
 #include "relax/reach.h"
 
 #include "relax/defects.h"
+#include "relax/mesh_quality.h"
 #include "relax/relax_state.h"
 
 #include <algorithm>
@@ -284,12 +285,7 @@ private:
 
   void give_way(const std::vector<char>& pulled) {
     std::vector<char> mask = pulled;
-    for (int ring = 0; ring < reach_rings; ++ring) {
-      const std::vector<char> inner = mask;
-      for (const Quad& q : m_state.mesh.quads)
-        if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
-          for (int v : q) mask[v] = 1;
-    }
+    add_rings(m_state.mesh, reach_rings, mask);
     for (std::size_t v = 0; v < mask.size(); ++v)
       if (pulled[v]) mask[v] = 0;
     for (int i = 0; i < sweeps; ++i) smooth(m_state, {}, {good_quad, false, &mask});
@@ -307,42 +303,11 @@ private:
   std::vector<std::vector<std::size_t>> m_samples_of; // per quad
 };
 
-} // namespace
-
-namespace {
-
-// Takes vertices back around quads that have more defects than before, until none has. Returns the defects.
-std::vector<int> without_new_defects(State& state, const State::Snapshot& snapshot,
-                                     const std::vector<int>& before) {
-  std::vector<int> now = count_defects(state);
-  std::vector<int> more(now.size());
-  for (int i = 0; i < reach_withdrawals; ++i) {
-    for (std::size_t q = 0; q < now.size(); ++q) more[q] = std::max(0, now[q] - before[q]);
-    if (std::count(more.begin(), more.end(), 0) == std::ptrdiff_t(more.size())) return now;
-    const Regions spoilt(state, more, 1 + 2 * i);
-    for (int v = 0; v < state.number_of_vertices(); ++v)
-      if (spoilt.of_vertex[v] >= 0) state.restore(snapshot, v);
-    now = count_defects(state);
-  }
-  for (std::size_t q = 0; q < now.size(); ++q)
-    if (now[q] > before[q]) {
-      for (int v = 0; v < state.number_of_vertices(); ++v) state.restore(snapshot, v);
-      return before;
-    }
-  return now;
-}
-
 void bring_up_to_date(const Quad_mesh& mesh, const std::vector<int>& defects, Relax_report& report) {
-  report.worst_after = 1;
-  report.mean_after = 0;
-  report.inverted_after = 0;
-  for (const Quad& q : mesh.quads) {
-    const double s =
-        scaled_jacobian(mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]);
-    report.worst_after = std::min(report.worst_after, s);
-    report.mean_after += s / double(mesh.quads.size());
-    report.inverted_after += s <= 0;
-  }
+  const Mesh_quality quality = mesh_quality(mesh);
+  report.worst_after = quality.worst;
+  report.mean_after = quality.mean;
+  report.inverted_after = quality.inverted;
   report.intersections_after = 0;
   if (std::any_of(defects.begin(), defects.end(), [](int n) { return n > 0; }))
     report.intersections_after = int(intersecting_quads(mesh).size());
@@ -366,7 +331,7 @@ void reach(Quad_mesh& mesh, const Surface_projector& projector, Vertex_constrain
     mesh.points = original;
     return;
   }
-  bring_up_to_date(mesh, without_new_defects(state, snapshot, defects), report);
+  bring_up_to_date(mesh, without_new_defects(state, snapshot, defects, reach_withdrawals), report);
 }
 
 } // namespace relaxation

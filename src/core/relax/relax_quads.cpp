@@ -2,6 +2,7 @@
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 
 #include "base/parallel_for.h"
+#include "relax/mesh_quality.h"
 #include "relax/relax_state.h"
 
 #include <algorithm>
@@ -114,6 +115,8 @@ int smooth(State& state, const Regime& regime, const Sweep& sweep) {
 
 namespace {
 
+using relaxation::mesh_quality;
+using relaxation::Mesh_quality;
 using relaxation::State;
 
 // Scaled Jacobians. Most layouts reach the first in the usual sweeps. Below the second the layout itself is
@@ -165,24 +168,6 @@ Result<void> check(const Quad_mesh& mesh, const Vertex_constraints& constraints,
   return check_constraints(mesh, constraints);
 }
 
-struct Quality {
-  double worst = 1, mean = 0;
-  int inverted = 0;
-};
-
-Quality measure(const Quad_mesh& mesh) {
-  Quality result;
-  for (const Quad& q : mesh.quads) {
-    const double s =
-        scaled_jacobian(mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]);
-    result.worst = std::min(result.worst, s);
-    result.mean += s;
-    result.inverted += s <= 0;
-  }
-  if (!mesh.quads.empty()) result.mean /= double(mesh.quads.size());
-  return result;
-}
-
 // Steps may make a quad worse down to a quality that is good enough, and in the first half of the sweeps to a
 // lower one; but never worse than the worst quad of all was.
 relaxation::Sweep sweep(bool early, double worst) {
@@ -190,18 +175,18 @@ relaxation::Sweep sweep(bool early, double worst) {
 }
 
 // Inverted quads count most. Where there are none, neither the worst quad nor the mean may get worse.
-bool is_worse(const Quality& after, const Quality& before) {
+bool is_worse(const Mesh_quality& after, const Mesh_quality& before) {
   if (after.inverted != before.inverted) return after.inverted > before.inverted;
   return after.mean < before.mean || (before.inverted == 0 && after.worst < before.worst);
 }
 
 // More sweeps where the quads are nearly, but not yet, good on average. False if cancelled.
 bool relax_further(State& state, int most, double worst, Observer* observer) {
-  if (measure(state.mesh).mean < hopeful_mean) return true;
+  if (mesh_quality(state.mesh).mean < hopeful_mean) return true;
   for (int i = 0; i < most; ++i) {
     if (observer && observer->cancelled()) return false;
     if (observer) observer->progress("relax further", double(i) / most);
-    if (i % between_measures == 0 && measure(state.mesh).mean >= good_mean) break;
+    if (i % between_measures == 0 && mesh_quality(state.mesh).mean >= good_mean) break;
     if (relaxation::smooth(state, {}, sweep(i < most / 2, worst)) == 0) break;
   }
   return true;
@@ -228,7 +213,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& proje
                                  Observer* observer) {
   if (Result<void> checked = check(mesh, constraints, options); !checked) return checked.error();
   const std::vector<Point> original = mesh.points;
-  const Quality before = measure(mesh);
+  const Mesh_quality before = mesh_quality(mesh);
   Relax_report report;
   const auto cancelled = [&] {
     if (!observer || !observer->cancelled()) return false;
@@ -241,7 +226,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& proje
   relaxation::bind_to_curves(state, constraints);
   state.colour_vertices();
   const State::Snapshot placed = state.snapshot();
-  const Quality on_surface = measure(mesh);
+  const Mesh_quality on_surface = mesh_quality(mesh);
   for (int i = 0; i < options.iterations; ++i) {
     if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
     if (observer) observer->progress("relax", double(i) / options.iterations);
@@ -261,7 +246,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& proje
   }
   if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
 
-  Quality after = measure(mesh);
+  Mesh_quality after = mesh_quality(mesh);
   if (is_worse(after, on_surface)) {
     for (int v = 0; v < state.number_of_vertices(); ++v) state.restore(placed, v);
     after = on_surface;

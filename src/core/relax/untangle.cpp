@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "relax/defects.h"
 #include "relax/relax_state.h"
 
 #include <algorithm>
@@ -72,12 +73,7 @@ void untangle(State& state, double wanted, int rounds, const std::vector<char>* 
       }
     if (!any) return;
     // Each further round that is needed lets one more ring of vertices give way, up to three.
-    for (int ring = 0; ring < std::min(round / 3, 3); ++ring) {
-      const std::vector<char> inner = chosen;
-      for (const Quad& q : state.mesh.quads)
-        if (inner[q[0]] || inner[q[1]] || inner[q[2]] || inner[q[3]])
-          for (int v : q) chosen[v] = 1;
-    }
+    add_rings(state.mesh, std::min(round / 3, 3), chosen);
     bool improved = false;
     for (int v = 0; v < state.number_of_vertices(); ++v) {
       if (!chosen[v] || at_rest[v] || (mask && !(*mask)[v])) continue;
