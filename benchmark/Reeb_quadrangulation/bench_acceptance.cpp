@@ -10,9 +10,7 @@
 #include "bench_tools.h"
 #include "globe.h"
 
-#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/certificate.h>
-#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <nlohmann/json.hpp>
 
@@ -377,16 +375,9 @@ Result<std::pair<Triangle_surface, Edit>> load(const std::string& model) {
     const Edit edit = globe_extrema(s, lobes);
     return std::make_pair(std::move(s), edit);
   }
-  Result<Polygon_soup> soup = read_polygon_soup(model);
-  if (!soup) return soup.error();
-  Result<Mended_surface> mended = mend_surface(*soup, {});
-  if (!mended) return mended.error();
-  const auto largest = std::max_element(mended->components.begin(), mended->components.end(),
-                                        [](const Mended_component& a, const Mended_component& b) {
-                                          return a.surface.number_of_faces() < b.surface.number_of_faces();
-                                        });
-  if (largest == mended->components.end()) return make_error(Error_code::not_a_surface, "no surface");
-  return std::make_pair(std::move(largest->surface), Edit(Suggest{}));
+  Result<Triangle_surface> surface = largest_component(model);
+  if (!surface) return surface.error();
+  return std::make_pair(std::move(*surface), Edit(Suggest{}));
 }
 
 Options read(int argc, char** argv) {

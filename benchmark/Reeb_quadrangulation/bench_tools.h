@@ -5,7 +5,9 @@
 
 #include <CGAL/Reeb_quadrangulation/Cholmod_solver.h>
 #include <CGAL/Reeb_quadrangulation/Editor.h>
+#include <CGAL/Reeb_quadrangulation/IO/read_polygon_soup.h>
 #include <CGAL/Reeb_quadrangulation/laplacian.h>
+#include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <algorithm>
 #include <chrono>
@@ -64,6 +66,20 @@ inline double cholmod_seconds(const Triangle_surface& surface) {
     seconds.push_back(now() - begin);
   }
   return *std::min_element(seconds.begin(), seconds.end());
+}
+
+// Of a file, mended.
+inline Result<Triangle_surface> largest_component(const std::string& file) {
+  Result<Polygon_soup> soup = read_polygon_soup(file);
+  if (!soup) return soup.error();
+  Result<Mended_surface> mended = mend_surface(*soup, {});
+  if (!mended) return mended.error();
+  const auto largest = std::max_element(mended->components.begin(), mended->components.end(),
+                                        [](const Mended_component& a, const Mended_component& b) {
+                                          return a.surface.number_of_faces() < b.surface.number_of_faces();
+                                        });
+  if (largest == mended->components.end()) return make_error(Error_code::not_a_surface, "no surface");
+  return std::move(largest->surface);
 }
 
 // A session with the suggested design.

@@ -94,6 +94,7 @@ def quadrangulate(
     adaptive: int = 1,
     effort: str = "default",
     extra_vertices: int = -1,
+    budget: float = 0.0,
     minima: Optional[ArrayLike] = None,
     maxima: Optional[ArrayLike] = None,
     mirror: str = "none",
@@ -142,6 +143,8 @@ def quadrangulate(
         adaptive: 2, 4 or 8: quads up to so many times finer where the surface bends. 1: none.
         effort: ``"fast"`` takes suggested extrema, ``"default"`` searches better ones, ``"best"`` longer.
         extra_vertices: so many extraordinary vertices the search may spend; negative: as many as pay.
+        budget: seconds for the search, in place of the number of designs of ``effort``; 0: that number. The
+            outcome then depends on the machine.
         minima, maxima: where the field's extrema are: vertices (k,) or points (k, 3). Without both, they
             are suggested.
         mirror: the quads equal their mirror image: ``"auto"`` finds a plane of symmetry, ``"x"``, ``"y"``,

@@ -7,6 +7,7 @@
 #include "Outputs.h"
 #include "Solver_options.h"
 #include "Text_input.h"
+#include "Weights_option.h"
 
 #include <cmath>
 #include <sstream>
@@ -70,6 +71,10 @@ void declare_run_options(Command_line& line) {
        "fast: suggested extrema; default, best: search better ones, so that quads keep the shape") //
       ("extra-vertices", value<int>("N"),
        "the search may spend N extraordinary vertices; default: as many as pay") //
+      ("budget", value<double>("SECONDS"),
+       "search so long, instead of as many designs as --effort tries; the outcome depends on the machine") //
+      ("weights", value<std::string>("NAME=X,..."),
+       ("what the search looks for: weights of " + names_of_weights()).c_str()) //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -142,6 +147,14 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
       choice<Effort>("--effort", line.text("effort"),
                      {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
   if (line.has("extra-vertices")) pipeline.extra_vertices = in_range(line, "extra-vertices", 0, 1000000);
+  if (line.has("budget")) {
+    pipeline.budget = line.values["budget"].as<double>();
+    if (!(pipeline.budget > 0) || !std::isfinite(pipeline.budget))
+      throw Usage_error("--budget is a positive number of seconds");
+    if (pipeline.effort == Effort::fast)
+      throw Usage_error("--budget is for a search, and --effort fast has none");
+  }
+  if (line.has("weights")) pipeline.energy = energy_weights(line.text("weights"));
   pipeline.extrema = placed_extrema(line);
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");

@@ -211,9 +211,26 @@ TEST_CASE("the report says what more effort has changed") {
   CHECK(changes("fast").empty());
   const Json steps = changes("default");
   REQUIRE(!steps.empty());
-  CHECK(steps[0]["reason"].get<std::string>().find(" at (") != std::string::npos);
+  for (const Json& step : steps)
+    CHECK(contains(step["reason"].get<std::string>(), "the mean scaled Jacobian from"));
   CHECK(steps.back()["energy"].get<double>() <= steps[0]["energy"].get<double>());
   CHECK(hand.run({"--effort", "much"}).code == 2);
+}
+
+TEST_CASE("--weights and --budget set what is searched and how long, and are refused with a sentence") {
+  const Shape hand("hand", 4000);
+  const auto extrema = [&](const std::string& option, const std::string& value) {
+    REQUIRE(hand.run({"--quads", "800", "--persistence", "0.9", option, value}).code == 0);
+    return hand.report()["components"][0]["extrema"].size();
+  };
+  CHECK(extrema("--weights", "vertices=10,shape=1") == 2);
+  CHECK(extrema("--weights", "vertices=0") > 2);
+  CHECK(extrema("--budget", "0.000001") == 2); // over after the first design
+  for (const std::string wrong : {"beauty=1", "angle", "angle=", "angle=-1", "angle=nan", "angle=1x"})
+    CHECK(contains(hand.run({"--weights", wrong}).err, "--weights: '" + wrong + "'"));
+  CHECK(hand.run({"--weights", "angle=inf"}).code == 2);
+  CHECK(hand.run({"--budget", "0"}).code == 2);
+  CHECK(contains(hand.run({"--effort", "fast", "--budget", "5"}).err, "--effort fast has none"));
 }
 
 TEST_CASE("an open cylinder keeps its rims, or has them filled") {

@@ -270,6 +270,22 @@ TEST_CASE("one thread and several give the same bytes") {
   CHECK(one.points == three.points);
 }
 
+TEST_CASE("the usual sweeps take a shear out of a whole surface") {
+  const Triangle_surface input = tiny::open_cylinder(48, 48, 4);
+  const Surface_projector projector(input);
+  Quad_mesh mesh = quads_of(tiny::open_cylinder(24, 24, 4));
+  for (Point& p : mesh.points) p = Eigen::AngleAxisd(0.3 * p.z(), Point::UnitZ()) * p;
+  Quad_mesh soon = mesh;
+  Relax_options options;
+  options.more_iterations = 0;
+  const auto usual = relax_quads(mesh, projector, {}, options);
+  options.iterations /= 3;
+  const auto third = relax_quads(soon, projector, {}, options);
+  REQUIRE((bool(usual) && bool(third)));
+  CHECK(1 - usual->mean_after < 0.9 * (1 - third->mean_after));
+  CHECK(1 - usual->mean_after < 0.7 * (1 - usual->mean_before));
+}
+
 TEST_CASE("quads that are nearly good are relaxed further, and bad or good ones are not") {
   const Triangle_surface input = tiny::open_cylinder(48, 48, 4);
   const Surface_projector projector(input);
@@ -279,6 +295,7 @@ TEST_CASE("quads that are nearly good are relaxed further, and bad or good ones 
     for (Point& p : usual.points) p = Eigen::AngleAxisd(twist * p.z(), Point::UnitZ()) * p;
     Quad_mesh further = usual;
     Relax_options options;
+    options.iterations = 10;
     const auto more = relax_quads(further, projector, {}, options);
     options.more_iterations = 0;
     const auto less = relax_quads(usual, projector, {}, options);

@@ -10,6 +10,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <limits>
+
 using namespace CGAL::Reeb_quadrangulation;
 
 namespace {
@@ -108,10 +111,39 @@ TEST_CASE("the search keeps to its limits") {
   options.extra_vertices = 0;
   const Searched_extrema found = searched(surface, options);
   CHECK(found.edit.extrema.size() <= 2); // each has four extraordinary vertices
+  options = {};
+  options.seconds = 1e-9;
+  CHECK(searched(surface, options).tries == 1); // the first design is always made
   options.tries = 0;
   const Result<Searched_extrema> none = search_extrema(session(surface), first, options);
   REQUIRE(!none);
   CHECK(none.error().code == Error_code::impossible_request);
+}
+
+TEST_CASE("what the search looks for is what its weights say") {
+  const Triangle_surface surface = horned_sphere(4000);
+  Search_options options;
+  options.tries = 12;
+  options.weights = Energy_weights();
+  options.weights.vertices = 1;
+  CHECK(searched(surface, options).edit.extrema.size() <= 2); // no horn is worth four vertices
+  options.weights.vertices = 0;
+  CHECK(searched(surface, options).edit.extrema.size() > 2);
+}
+
+TEST_CASE("a budget is refused where nothing is searched, and where it is no number of seconds") {
+  Quadrangulation_options options;
+  options.budget = 1;
+  for (const Effort effort : {Effort::fast, Effort::normal}) {
+    options.effort = effort;
+    CHECK(bool(automatic_recipe(options)) == (effort == Effort::normal));
+  }
+  for (const double budget : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    options.budget = budget;
+    const Result<Recipe> refused = automatic_recipe(options);
+    REQUIRE(!refused);
+    CHECK(refused.error().code == Error_code::impossible_request);
+  }
 }
 
 TEST_CASE("the search stops when it is told to") {

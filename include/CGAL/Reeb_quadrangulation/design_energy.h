@@ -14,7 +14,7 @@ namespace Reeb_quadrangulation {
 /// as much as a thirtieth of the area lying one seventh of an edge nearer to the quads.
 struct Energy_weights {
   double shape = 1;
-  double farthest = 0.02;
+  double farthest = 0.01;
   double angle = 0.5;
   double size = 0;
   double vertices = 0.0006;
@@ -55,11 +55,19 @@ struct Far_sample {
   double distance = 0; ///< in edges of the quads
 };
 
-/// The energy of stitched quads on the surface of a projector. With `far`, also where the surface is farthest
-/// from the quads: the worst samples, the farthest first, no two of them within four edges. O((Q + samples)
-/// log Q).
+/// Above which nobody wants to know more of a design.
+struct Energy_bound {
+  const Energy_weights& weights;
+  double most;
+};
+
+/// The energy of stitched quads on the surface of a projector. With `bound`, the distance is not measured any
+/// further once the total is above it: `shape` and `farthest` are then lower than they are, with a total
+/// above the bound. With `far`, also where the surface is farthest from the quads: the worst samples, the
+/// farthest first, no two of them within four edges. O((Q + samples) log Q).
 Design_energy design_energy(Stitched_mesh quads, const Surface_projector& projector,
-                            const Surface_samples& samples, std::vector<Far_sample>* far = nullptr);
+                            const Surface_samples& samples, std::vector<Far_sample>* far = nullptr,
+                            const Energy_bound* bound = nullptr);
 
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

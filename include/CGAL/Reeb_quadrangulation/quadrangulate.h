@@ -40,6 +40,9 @@ struct Quadrangulation_options {
   double edge_length = 0;
   /// Whether extrema are searched, see `search_extrema()`; those that are placed stay as they are.
   Effort effort = Effort::fast;
+  /// Seconds for the search, in place of the number of designs that `effort` stands for; 0: that number. With
+  /// seconds the outcome depends on the machine; its recipe does not. Excludes the effort `fast`.
+  double budget = 0;
   /// What the search looks for.
   Energy_weights energy;
   /// The search takes at most so many extraordinary vertices more than the suggestion has; negative: no limit

@@ -14,7 +14,7 @@ namespace Reeb_quadrangulation {
 
 /// How `relax_quads()` works; the defaults are for meshes that come from a quad layout.
 struct Relax_options {
-  int iterations = 20;  ///< sweeps over all vertices; 0 leaves the smooth part out
+  int iterations = 60;  ///< sweeps over all vertices; 0 leaves the smooth part out
   bool untangle = true; ///< afterwards mend the surroundings of inverted and of intersecting quads
   int attempts = 17; ///< of `untangle`, from gentle and local to drastic and wide: at most so many of all 17
   /// Quads with a smaller scaled Jacobian are improved last, by moves that make none inverted and none meet;

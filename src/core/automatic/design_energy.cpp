@@ -119,7 +119,8 @@ Surface_samples sample_surface(const Triangle_surface& surface, int number) {
 }
 
 Design_energy design_energy(Stitched_mesh quads, const Surface_projector& projector,
-                            const Surface_samples& samples, std::vector<Far_sample>* far) {
+                            const Surface_samples& samples, std::vector<Far_sample>* far,
+                            const Energy_bound* bound) {
   Relax_options relaxation;
   relaxation.iterations = sweeps;
   relaxation.more_iterations = 0;
@@ -132,18 +133,21 @@ Design_energy design_energy(Stitched_mesh quads, const Surface_projector& projec
   add_shapes(quads.mesh, energy);
   for (const auto& [valence, number] : quads.valences)
     if (valence != 4) energy.extraordinary += number;
+  const auto is_above = [&] { return bound && energy.total(bound->weights) > bound->most; };
+  if (is_above()) return energy;
   const double edge = std::sqrt(samples.area / double(quads.mesh.quads.size()));
+  const double part = 1 / double(std::max<std::size_t>(1, samples.points.size()));
   const Triangle_surface surface = triangulated(quads.mesh);
   const Surface_projector onto_quads(surface);
   std::vector<Far_sample> distances;
   distances.reserve(samples.points.size());
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const double d = std::sqrt(onto_quads.closest(samples.points[i]).squared_distance) / edge;
-    energy.shape += d * d;
+    energy.shape += part * d * d;
     energy.farthest = std::max(energy.farthest, d);
     distances.push_back({samples.points[i], samples.faces[i], d});
+    if (is_above()) return energy;
   }
-  energy.shape /= double(std::max<std::size_t>(1, samples.points.size()));
   if (far) *far = farthest(std::move(distances), edge);
   return energy;
 }

@@ -96,6 +96,10 @@ Result<void> check(const Quadrangulation_options& options) {
     if (!e.point.allFinite()) return impossible("a placed extremum is not finite");
   if (Result<void> fine = check(options.features); !fine) return fine;
   if (options.threads < 0) return impossible("the number of threads is negative");
+  if (!(options.budget >= 0) || !std::isfinite(options.budget))
+    return impossible("the budget of the search is a number of seconds");
+  if (options.budget > 0 && options.effort == Effort::fast)
+    return impossible("a budget is for a search, and the effort fast has none");
   return {};
 }
 
@@ -199,8 +203,20 @@ namespace {
 // Designs that are tried: one takes 0.05 to 0.1 s of CPU time on the coarse copy, for 3000 quads.
 constexpr int tries_of_normal = 40, tries_of_best = 160;
 
+// More than any search makes that has seconds for it.
+constexpr int tries_of_budget = 100000;
+
+// Of the seconds, what the search of extrema takes at most where there are sharp edges to be searched after
+// it.
+constexpr double part_for_extrema = 0.6;
+
 // Designs with sharp edges as contours that are tried, on the surface itself.
 constexpr int curves_of_fast = 6, curves_of_normal = 24, curves_of_best = 120;
+
+bool has_sharp_edges(const Editor& editor, const Quadrangulation_options& options) {
+  return options.keep_features &&
+         !feature_edges(editor.working_surface(), options.features.feature_angle).chains.empty();
+}
 
 // Lets the field follow closed lines of sharp edges, where that keeps them better.
 Result<std::vector<Search_step>> search_sharp_curves(const Editor& editor,
@@ -212,6 +228,10 @@ Result<std::vector<Search_step>> search_sharp_curves(const Editor& editor,
                  : options.effort == Effort::normal ? curves_of_normal
                                                     : curves_of_best;
   search.weights = options.energy;
+  if (options.budget > 0) {
+    search.tries = tries_of_budget;
+    search.seconds = (1 - part_for_extrema) * options.budget;
+  }
   Result<internal::Searched_curves> found =
       internal::search_curves(editor, recipe.edits[0], options.features.feature_angle, search, observer);
   if (!found) return found.error();
@@ -228,6 +248,10 @@ Result<std::vector<Search_step>> search(const Editor& editor, const Quadrangulat
   search.tries = options.effort == Effort::normal ? tries_of_normal : tries_of_best;
   search.weights = options.energy;
   search.extra_vertices = options.extra_vertices;
+  if (options.budget > 0) {
+    search.tries = tries_of_budget;
+    search.seconds = (has_sharp_edges(editor, options) ? part_for_extrema : 1) * options.budget;
+  }
   Result<Searched_extrema> found = search_extrema(editor, recipe.edits[0], search, observer);
   if (!found) return found.error();
   if (!found->steps.empty()) recipe.edits[0] = std::move(found->edit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "automatic/search_curves.h"
 
+#include "automatic/search_limit.h"
 #include "design/draft.h"
 #include "surface/sharp_patches.h"
 
@@ -193,7 +194,8 @@ public:
   Curve_search(const Editor& editor, double feature_angle, const Search_options& options, Observer* observer)
       : m_editor(editor), m_options(options), m_observer(observer), m_surface(editor.working_surface()),
         m_angle(feature_angle), m_projector(m_surface), m_lazy(m_surface), m_edge(edge_of(editor)),
-        m_candidates(m_surface, feature_angle, m_edge), m_is_closed(boundary_loops(m_surface).empty()) {}
+        m_candidates(m_surface, feature_angle, m_edge), m_is_closed(boundary_loops(m_surface).empty()),
+        m_limit(options) {}
 
   Result<Searched_curves> run(const Edit& first) {
     if (m_candidates.size() == 0) return std::move(m_found);
@@ -231,12 +233,12 @@ private:
     return o.edge_length > 0 ? o.edge_length : std::sqrt(area(editor.working_surface()) / o.quads);
   }
 
-  bool tries_left() const { return m_found.tries < m_options.tries; }
+  bool tries_left() const { return !m_limit.is_reached(m_found.tries); }
 
   // Nothing if the edit cannot be made; an error if the search is to stop.
   Result<std::optional<Tried>> attempt(const Edit& edit) {
     if (m_observer) {
-      m_observer->progress("search", double(m_found.tries) / double(m_options.tries));
+      m_observer->progress("search", m_limit.done(m_found.tries));
       if (m_observer->cancelled()) return make_error(Error_code::cancelled, "cancelled by the user");
     }
     ++m_found.tries;
@@ -444,6 +446,7 @@ private:
   bool m_has_rings = false;
   std::optional<Tried> m_best;
   Searched_curves m_found;
+  Search_limit m_limit;
 };
 
 } // namespace

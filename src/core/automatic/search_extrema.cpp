@@ -2,11 +2,13 @@
 #include <CGAL/Reeb_quadrangulation/search_extrema.h>
 
 #include "automatic/coarse_copy.h"
+#include "automatic/search_limit.h"
 #include "design/draft.h"
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -33,6 +35,9 @@ constexpr double samples_per_quad = 1.5;
 // Places that get an extremum tried before signs are: what one kind of change spoils the other may mend.
 constexpr int places_at_a_time = 3;
 
+// Of suggestions that the search may begin with, relative to that of the first.
+constexpr double persistences[] = {1, 0.5, 2};
+
 // Passes on the question whether to stop, but not the progress of the parts.
 class Only_cancels : public Observer {
 public:
@@ -47,7 +52,7 @@ class Search {
 public:
   Search(const Editor& editor, const Search_options& options, Observer* observer)
       : m_editor(editor), m_options(options), m_observer(observer), m_silent(observer),
-        m_surface(editor.working_surface()), m_projector(m_surface), m_lazy(m_surface) {
+        m_surface(editor.working_surface()), m_projector(m_surface), m_lazy(m_surface), m_limit(options) {
     const double quads = editor.options().edge_length > 0
                              ? area(m_surface) / (editor.options().edge_length * editor.options().edge_length)
                              : editor.options().quads;
@@ -59,15 +64,16 @@ public:
     if (!start) return start.error();
     m_best = std::move(*start);
     m_found.first_energy = m_best.energy;
+    m_most_vertices =
+        m_options.extra_vertices < 0 ? -1 : m_best.parts.extraordinary + m_options.extra_vertices;
     const auto collapse = [](const auto& edit) { return edit.collapse_thin; };
     m_edit.collapse_thin = std::holds_alternative<Suggest>(first) ? collapse(std::get<Suggest>(first))
                                                                   : collapse(std::get<Set_extrema>(first));
     m_edit.axis = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).axis
                                                          : std::get<Set_extrema>(first).axis;
-    for (const Design_extremum& e : m_best.design.extrema)
-      m_edit.extrema.push_back({{m_surface.points[e.vertex], e.vertex}, e.is_maximum, e.value});
-    m_most_vertices =
-        m_options.extra_vertices < 0 ? -1 : m_best.parts.extraordinary + m_options.extra_vertices;
+    if (const auto* suggested = std::get_if<Suggest>(&first))
+      if (Result<void> begun = begin(*suggested); !begun) return begun.error();
+    remember_extrema();
     for (bool again = true; again && tries_left();) {
       again = false;
       for (const auto step : {&Search::add, &Search::change_signs, &Search::remove}) {
@@ -90,34 +96,69 @@ private:
     std::vector<Far_sample> far;
   };
 
-  bool tries_left() const { return m_tries < m_options.tries; }
+  void remember_extrema() {
+    m_edit.extrema.clear();
+    for (const Design_extremum& e : m_best.design.extrema)
+      m_edit.extrema.push_back({{m_surface.points[e.vertex], e.vertex}, e.is_maximum, e.value});
+  }
+
+  // Single changes do not lead from one suggestion to another: the search begins with the best of some.
+  Result<void> begin(const Suggest& suggested) {
+    const Point up = suggested.axis.normalized(), side = up.unitOrthogonal();
+    for (const Point& axis : {up, side, Point(up.cross(side))})
+      for (const double factor : persistences) {
+        if ((axis == up && factor == 1) || !tries_left()) continue;
+        Suggest other = suggested;
+        other.axis = axis;
+        other.persistence = std::min(1.0, factor * suggested.persistence);
+        Result<std::optional<Tried>> tried = attempt(other, better());
+        if (!tried) return tried.error();
+        if (!*tried) continue;
+        std::ostringstream what;
+        what.precision(3);
+        what << "suggested anew with the persistence " << other.persistence << " and the axis ("
+             << axis.transpose() << ")";
+        take(std::move(**tried), m_edit, what.str());
+      }
+    return {};
+  }
+
+  bool tries_left() const { return !m_limit.is_reached(m_tries); }
   double edge() const {
     return std::sqrt(m_samples.area / double(std::max<std::int64_t>(1, m_best.design.counts.quads)));
   }
 
-  Result<Tried> try_edit(const Edit& edit) {
-    if (m_observer) m_observer->progress("search", double(m_tries) / double(m_options.tries));
+  // Of a design whose energy is above `most`, the energy may be told as anything above it.
+  Result<Tried> try_edit(const Edit& edit, double most = std::numeric_limits<double>::infinity()) {
+    if (m_observer) m_observer->progress("search", m_limit.done(m_tries));
     ++m_tries;
     Result<Design> design = m_editor.preview(edit, &m_silent);
     if (!design) return design.error();
     Result<Stitched_mesh> quads = stitch_design(m_surface, m_lazy, *design);
     if (!quads) return quads.error();
     Tried tried;
-    tried.parts = design_energy(std::move(*quads), m_projector, m_samples, &tried.far);
+    const Energy_bound bound{m_options.weights, most};
+    tried.parts = design_energy(std::move(*quads), m_projector, m_samples, &tried.far,
+                                m_options.tried ? nullptr : &bound);
+    if (m_options.tried) m_options.tried(edit, tried.parts);
     tried.energy = tried.parts.total(m_options.weights);
     tried.design = std::move(*design);
     return tried;
   }
 
-  // Nothing if the edit cannot be made or has too many extraordinary vertices; an error if the search is to
-  // stop.
-  Result<std::optional<Tried>> attempt(const Set_extrema& edit) {
-    Result<Tried> tried = try_edit(edit);
+  // Nothing if the edit cannot be made, has too many extraordinary vertices or an energy above `most`; an
+  // error if the search is to stop.
+  Result<std::optional<Tried>> attempt(const Edit& edit, double most) {
+    Result<Tried> tried = try_edit(edit, most);
     if (!tried && tried.error().code == Error_code::cancelled) return tried.error();
-    if (!tried || (m_most_vertices >= 0 && tried->parts.extraordinary > m_most_vertices))
+    if (!tried || tried->energy > most ||
+        (m_most_vertices >= 0 && tried->parts.extraordinary > m_most_vertices))
       return std::optional<Tried>();
     return std::optional<Tried>(std::move(*tried));
   }
+
+  // The energy from which on a design is worth a change.
+  double better() const { return m_best.energy - worth_it; }
 
   void take(Tried tried, Set_extrema edit, const std::string& what) {
     std::ostringstream reason;
@@ -181,13 +222,13 @@ private:
       Set_extrema edit = m_edit;
       const double to = is_maximum ? value + strength * (1 - value) : (1 - strength) * value;
       edit.extrema.push_back({{m_surface.points[vertex], vertex}, is_maximum, std::clamp(to, 0.0, 1.0)});
-      Result<std::optional<Tried>> tried = attempt(edit);
+      Result<std::optional<Tried>> tried = attempt(edit, better());
       if (!tried) return tried.error();
       if (!*tried || (best && (*tried)->energy >= best->energy)) continue;
       best = std::move(**tried);
       best_edit = std::move(edit);
     }
-    if (!best || best->energy > m_best.energy - worth_it) return false;
+    if (!best) return false;
     std::ostringstream what;
     what.precision(3);
     what << (best_edit.extrema.back().is_maximum ? "a maximum" : "a minimum") << at(m_surface.points[vertex])
@@ -212,9 +253,9 @@ private:
       const std::string what = (edit.extrema[i].is_maximum ? "a maximum instead of the minimum"
                                                            : "a minimum instead of the maximum") +
                                at(edit.extrema[i].at.point);
-      Result<std::optional<Tried>> tried = attempt(edit);
+      Result<std::optional<Tried>> tried = attempt(edit, better());
       if (!tried) return tried.error();
-      if (!*tried || (*tried)->energy > m_best.energy - worth_it) continue;
+      if (!*tried) continue;
       take(std::move(**tried), std::move(edit), what);
       helped = true;
     }
@@ -232,9 +273,9 @@ private:
       Set_extrema edit = m_edit;
       edit.extrema.erase(edit.extrema.begin() + std::ptrdiff_t(i));
       const std::string what = "without the extremum" + at(m_edit.extrema[i].at.point);
-      Result<std::optional<Tried>> tried = attempt(edit);
+      Result<std::optional<Tried>> tried = attempt(edit, m_best.energy);
       if (!tried) return tried.error();
-      if (!*tried || (*tried)->energy > m_best.energy) {
+      if (!*tried) {
         ++i;
         continue;
       }
@@ -256,6 +297,7 @@ private:
   Tried m_best;
   std::vector<Point> m_places; // where extrema were tried
   Searched_extrema m_found;
+  internal::Search_limit m_limit;
   int m_tries = 0, m_most_vertices = -1;
 };
 

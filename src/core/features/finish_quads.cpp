@@ -21,6 +21,10 @@ constexpr double on_it = 0.01;
 // Quads without defects that snapping spoils are mended within a few attempts or, as a rule, not at all.
 constexpr int attempts_of_good_quads = 4;
 
+// Quads that were relaxed before they were laid onto sharp edges need no more sweeps than these: what bends
+// is near by.
+constexpr int sweeps_onto_features = 20;
+
 // So often chains are refused; each time quads are snapped and relaxed anew.
 constexpr int most_refusals = 6;
 
@@ -215,6 +219,7 @@ private:
     const Relax_report before = plain.relaxation;
     // Good quads that are spoilt by this, and not soon mended, are better left as they were.
     Relax_options gentle = m_relaxation;
+    gentle.iterations = std::min(gentle.iterations, sweeps_onto_features);
     if (before.inverted_after + before.intersections_after == 0)
       gentle.attempts = std::min(gentle.attempts, attempts_of_good_quads);
     // Quads that are raised turn away from what they were laid onto, which the user has asked for.
@@ -238,6 +243,7 @@ private:
       quads.relaxation.largest_offset = offset;
       turn_to_features(quads.mesh, onto);
       result.onto = std::move(onto);
+      if (is_worse(quads.relaxation, before)) break; // chains are to be refused first
     }
     quads.relaxation.worst_before = before.worst_before;
     quads.relaxation.mean_before = before.mean_before;

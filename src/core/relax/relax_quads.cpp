@@ -79,10 +79,12 @@ double mobility(const State& state, int v, double& size) {
 
 bool try_step(State& state, int v, const Point& target, const Sweep& sweep) {
   const Step step = state.constrain(v, target);
-  const double before = state.worst_around(v);
-  // Where quads are inverted, steps towards rectangles may untangle best when nothing holds them back.
-  const bool free = sweep.lenient && before <= 0;
-  if (!free && state.worst_around(v, step) < std::min(before, sweep.good_enough)) return false;
+  if (const double after = state.worst_around(v, step); after < sweep.good_enough) {
+    const double before = state.worst_around(v);
+    // Where quads are inverted, steps towards rectangles may untangle best when nothing holds them back.
+    const bool free = sweep.lenient && before <= 0;
+    if (!free && after < before) return false;
+  }
   state.move(v, step);
   return true;
 }
@@ -104,7 +106,8 @@ int smooth(State& state, const Regime& regime, const Sweep& sweep) {
       double size;
       double part = mobility(state, v, size);
       if (state.on_ridge(v)) part = 0.9; // which it cannot leave
-      const Point from = state.mesh.points[v], way = part * (wanted_position(state, regime, v) - from);
+      const Point from = state.mesh.points[v],
+                  way = sweep.stride * part * (wanted_position(state, regime, v) - from);
       if (way.squaredNorm() < 1e-5 * size * size) return; // has come to rest
       accepted[v] = try_step(state, v, from + way, sweep) || try_step(state, v, from + 0.4 * way, sweep);
     });
@@ -168,10 +171,17 @@ Result<void> check(const Quad_mesh& mesh, const Vertex_constraints& constraints,
   return check_constraints(mesh, constraints);
 }
 
-// Steps may make a quad worse down to a quality that is good enough, and in the first half of the sweeps to a
-// lower one; but never worse than the worst quad of all was.
-relaxation::Sweep sweep(bool early, double worst) {
-  return {std::max(early ? 0.2 : 0.5, worst), early, nullptr};
+// What bends a whole chart goes in sweeps that step too far, which is successive over-relaxation: sixty of
+// them come as far as two hundred others. The last ones do not, so that vertices come to rest.
+constexpr double long_stride = 1.6;
+constexpr int resting_sweeps = 5;
+
+// The i-th of so many sweeps. Steps may make a quad worse down to a quality that is good enough, and in the
+// first half of the sweeps to a lower one; but never worse than the worst quad of all was.
+relaxation::Sweep sweep(int i, int sweeps, double worst) {
+  const bool early = i < sweeps / 2;
+  const bool resting = i >= sweeps - std::min(resting_sweeps, sweeps / 4);
+  return {std::max(early ? 0.2 : 0.5, worst), early, nullptr, resting ? 1 : long_stride};
 }
 
 // Inverted quads count most. Where there are none, neither the worst quad nor the mean may get worse.
@@ -187,7 +197,7 @@ bool relax_further(State& state, int most, double worst, Observer* observer) {
     if (observer && observer->cancelled()) return false;
     if (observer) observer->progress("relax further", double(i) / most);
     if (i % between_measures == 0 && mesh_quality(state.mesh).mean >= good_mean) break;
-    if (relaxation::smooth(state, {}, sweep(i < most / 2, worst)) == 0) break;
+    if (relaxation::smooth(state, {}, sweep(i, most, worst)) == 0) break;
   }
   return true;
 }
@@ -231,7 +241,7 @@ Result<Relax_report> relax_quads(Quad_mesh& mesh, const Surface_projector& proje
     if (cancelled()) return make_error(Error_code::cancelled, "stopped while relaxing");
     if (observer) observer->progress("relax", double(i) / options.iterations);
     // The first sweeps may pass through worse quads than the last ones.
-    if (relaxation::smooth(state, {}, sweep(i < options.iterations / 2, on_surface.worst)) == 0) break;
+    if (relaxation::smooth(state, {}, sweep(i, options.iterations, on_surface.worst)) == 0) break;
   }
   if (options.iterations > 0 && !relax_further(state, options.more_iterations, on_surface.worst, observer)) {
     mesh.points = original;

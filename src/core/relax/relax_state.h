@@ -112,6 +112,7 @@ struct Sweep {
   double good_enough = 0.5; ///< a step may make the worst quad around a vertex worse down to this quality
   bool lenient = false;     ///< vertices of inverted quads take any step
   const std::vector<char>* mask = nullptr; ///< only the vertices marked there, or all
+  double stride = 1; ///< over-relaxation: so many times the step towards rectangles, below 2
 };
 
 /// One sweep of steps towards rectangles. Returns the number of accepted steps.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -12,9 +13,11 @@ namespace relaxation {
 namespace {
 
 // A smooth stand-in for "the worst quality around v": large where one quad is bad, flat where all are good.
-double penalty(const State& state, int v, const Step& step) {
+// What is at least `most` may be told as anything from it on.
+double penalty(const State& state, int v, const Step& step,
+               double most = std::numeric_limits<double>::infinity()) {
   double sum = 0;
-  for (int k = state.first[v]; k < state.first[v + 1]; ++k)
+  for (int k = state.first[v]; k < state.first[v + 1] && sum < most; ++k)
     sum += std::exp(-7 * state.quality(state.corners[k] / 4, v, step));
   return sum;
 }
@@ -41,8 +44,8 @@ bool improve(State& state, int v) {
       static const double cosine[8] = {1, half, 0, -half, -1, -half, 0, half};
       const Point target = state.mesh.points[v] + step * (cosine[i] * side + cosine[(i + 6) % 8] * other);
       const Step candidate = state.constrain(v, target);
-      const double p = penalty(state, v, candidate);
-      if (p >= best * (1 - 1e-4)) continue;
+      const double less = best * (1 - 1e-4), p = penalty(state, v, candidate, less);
+      if (p >= less) continue;
       best = p;
       found = candidate;
     }
