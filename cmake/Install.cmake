@@ -33,3 +33,11 @@ endif()
 file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(packaging/reeb_quadrangulation.pc.in ${PROJECT_BINARY_DIR}/reeb_quadrangulation.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/reeb_quadrangulation.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+# `cmake --install BUILD --component cgal-package` makes the folder Reeb_quadrangulation as a release of CGAL has it for each of its
+# packages, from the sources alone. Nothing else installs it.
+foreach(folder include src examples test benchmark doc package_info cmake packaging)
+  install(DIRECTORY ${folder} DESTINATION Reeb_quadrangulation COMPONENT cgal-package EXCLUDE_FROM_ALL
+    PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN __pycache__ EXCLUDE)
+endforeach()
+install(FILES CMakeLists.txt LICENSE DESTINATION Reeb_quadrangulation COMPONENT cgal-package EXCLUDE_FROM_ALL)

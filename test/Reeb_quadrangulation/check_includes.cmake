@@ -175,12 +175,17 @@ endfunction()
 file(GLOB_RECURSE headers RELATIVE ${root} ${root}/include/*.h)
 file(GLOB_RECURSE sources RELATIVE ${root} ${root}/src/*.h ${root}/src/*.cpp ${root}/test/*.h ${root}/test/*.cpp
   ${root}/examples/*.h ${root}/examples/*.cpp ${root}/benchmark/*.h ${root}/benchmark/*.cpp)
-file(GLOB_RECURSE scripts RELATIVE ${root} ${root}/cmake/* ${root}/test/*.cmake ${root}/*/CMakeLists.txt)
+# What else there is to read has a licence line too: all but prose, data and pictures.
+set(scripts "")
+foreach(folder benchmark cmake doc examples include packaging python src test)
+  file(GLOB_RECURSE all RELATIVE ${root} ${root}/${folder}/*)
+  list(FILTER all INCLUDE REGEX "\\.(h|cpp|cmake|in|map|py|sh|ts|mjs|css|html|ui)$|/CMakeLists\\.txt$")
+  list(FILTER all EXCLUDE REGEX "/(node_modules|dist|build|__pycache__)/|/corpus/")
+  list(APPEND scripts ${all})
+endforeach()
 
-foreach(file IN LISTS headers sources scripts ITEMS CMakeLists.txt check quickstart)
-  if(NOT file MATCHES "^build/")
-    check_licence(${file})
-  endif()
+foreach(file IN LISTS scripts ITEMS CMakeLists.txt check quickstart setup.py pyproject.toml)
+  check_licence(${file})
 endforeach()
 
 foreach(file IN LISTS headers sources)

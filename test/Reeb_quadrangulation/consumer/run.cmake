@@ -44,6 +44,9 @@ endfunction()
 set(prefix ${WORK_DIR}/prefix)
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
+if(EXISTS ${prefix}/Reeb_quadrangulation)
+  message(FATAL_ERROR "an ordinary install has the package for a release of CGAL")
+endif()
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -G Ninja -D CMAKE_BUILD_TYPE=Release
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CGAL_DIR=${CGAL_DIR}
   -D CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON)
