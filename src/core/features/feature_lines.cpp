@@ -22,6 +22,9 @@ constexpr int most_cuts = 12;
 // Vertices give way that are so many edges away, for each edge that a line may be moved.
 constexpr double rings_per_reach = 4;
 
+// Sweeps that spread the way of a line over the rings around it, the first time and later.
+constexpr int sweeps_per_ring = 8, most_sweeps = 120, few_sweeps = 8;
+
 // A straight line of edges along a part of a curve. Arc lengths ascend; on closed curves they may leave [0,
 // length).
 struct Line {
@@ -271,13 +274,14 @@ private:
     for (int v : around) m_moved.push_back(m_mesh.points[v]);
     std::vector<int> faces(around.size(), -1);
     const int steps = steps_of(line);
+    std::vector<Point> way(around.size(), Point::Zero());
     for (int step = 0; step < steps; ++step) {
       const bool is_last = step + 1 == steps;
-      std::vector<Point> way(around.size(), Point::Zero());
       for (int i = 0; i < line.size(); ++i)
         if (!m_held[line.vertices[i]])
           way[i] = (curve(line).at(line.t[i]) - m_moved[i]) / double(steps - step);
-      give_way(line, around, way);
+      // Every step goes nearly the same way as the one before.
+      give_way(line, around, way, step == 0 ? std::min(sweeps_per_ring * m_rings, most_sweeps) : few_sweeps);
       for (std::size_t i = 0; i < around.size(); ++i) {
         if (i < line.vertices.size() && (is_last || m_held[line.vertices[i]])) {
           if (!m_held[line.vertices[i]]) m_moved[i] = curve(line).at(line.t[i]);
@@ -319,8 +323,8 @@ private:
   }
 
   // The ways of the vertices around a line, by those of its own.
-  void give_way(const Line& line, const std::vector<int>& around, std::vector<Point>& way) const {
-    for (int sweep = 0; sweep < 8 * m_rings; ++sweep)
+  void give_way(const Line& line, const std::vector<int>& around, std::vector<Point>& way, int sweeps) const {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t i = line.vertices.size(); i < around.size(); ++i) {
         Point sum = Point::Zero();
         for_each_outgoing(around[i], [&](int h) {

@@ -19,18 +19,18 @@ namespace {
 
 // How far lines may be moved, in edges. The farther, the longer is the part of a stroke that one line
 // follows, and the more quads give way.
-constexpr std::array<double, 5> guide_reaches = {0.8, 1.6, 3.2, 6.4, 12.8};
+constexpr std::array<double, 4> guide_reaches = {1, 2.5, 6, 12};
 
 // Degrees and a part of its length: a stroke that is followed so well needs no farther reach.
 constexpr double good_angle = 2, good_part = 0.95;
 
 // So often lines are laid anew over quads that were brought nearer; by so many degrees this has to pay.
-constexpr int guide_rounds = 3;
+constexpr int guide_rounds = 2;
 constexpr double guide_gain = 0.2;
 
 // A line begins with an edge that makes less than about 46 degrees with the stroke, and comes onto it by
-// steps of half an edge.
-constexpr double least_guide_cosine = 0.69, guide_step = 0.5;
+// steps of less than an edge.
+constexpr double least_guide_cosine = 0.69, guide_step = 0.8;
 
 // An end of a stroke that is nearer to the last vertex of a line, in edges, gets that vertex.
 constexpr double guide_end_reach = 1.1;
@@ -43,7 +43,7 @@ constexpr double guide_rings_per_reach = 4;
 constexpr int guide_rings = 6;
 
 // Bent quads need more sweeps than those that come from a layout.
-constexpr int guide_sweeps = 60;
+constexpr int guide_sweeps = 40;
 
 // What a guide spoils is mended within a few attempts or, as a rule, not at all.
 constexpr int guide_attempts = 4;
