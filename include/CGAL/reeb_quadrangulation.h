@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_quadrangulation/Eigen_solver.h>
 #include <CGAL/Reeb_quadrangulation/Embedding.h>
 #include <CGAL/Reeb_quadrangulation/Field_solver_options.h>
+#include <CGAL/Reeb_quadrangulation/Guide.h>
 #include <CGAL/Reeb_quadrangulation/Harmonic_field.h>
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
@@ -71,6 +72,7 @@
 #include <CGAL/Reeb_quadrangulation/finish_on_features.h>
 #include <CGAL/Reeb_quadrangulation/finish_quads.h>
 #include <CGAL/Reeb_quadrangulation/fit_texture.h>
+#include <CGAL/Reeb_quadrangulation/followed_guide.h>
 #include <CGAL/Reeb_quadrangulation/given_features.h>
 #include <CGAL/Reeb_quadrangulation/halve_surface.h>
 #include <CGAL/Reeb_quadrangulation/kept_features.h>

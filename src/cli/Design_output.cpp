@@ -2,6 +2,7 @@
 #include "Design_output.h"
 
 #include "Failure.h"
+#include "Guides_output.h"
 #include "Mirror_output.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
@@ -36,7 +37,7 @@ Polygon_soup Design_output::polygons() const {
 std::string Design_output::text() const {
   const std::string fans = fan_sentence(m_fans);
   return to_text(m_certificate) + (fans.empty() ? "" : fans + "\n") + "\n" + to_text(m_statistics) +
-         (m_mirror ? mirror_text(*m_made.mirror, *m_mirror) : "");
+         guides_text(m_made.guides) + (m_mirror ? mirror_text(*m_made.mirror, *m_mirror) : "");
 }
 
 std::string Design_output::report(const std::string& input, const std::string& output) const {
@@ -71,6 +72,7 @@ std::string Design_output::report(const std::string& input, const std::string& o
         {{"pole", {fan.pole.x(), fan.pole.y(), fan.pole.z()}}, {"triangles", fan.ring.size()}});
   out["certificate"] = Json::parse(to_json(m_certificate));
   out["statistics"] = Json::parse(to_json(m_statistics));
+  out["guides"] = guides_json(m_made.guides);
   out["mirror"] = m_mirror ? mirror_json(*m_made.mirror, *m_mirror) : Json(nullptr);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

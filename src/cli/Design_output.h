@@ -20,6 +20,7 @@ struct Design_quads {
   CGAL::Reeb_quadrangulation::Stitched_mesh quads;
   std::vector<CGAL::Reeb_quadrangulation::Pole_fan> fans;
   std::optional<CGAL::Reeb_quadrangulation::Mirror_report> mirror;
+  std::vector<CGAL::Reeb_quadrangulation::Guide_outcome> guides;
 };
 
 /// What is told and shown of a design: certificate, statistics, report, pictures. Keeps references to its

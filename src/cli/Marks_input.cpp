@@ -71,10 +71,21 @@ Result<Marks> marks_of_text(const std::vector<Text_line>& lines, const Polygon_s
   return marks;
 }
 
-/// The polylines of an OBJ file: its own points, and lines through these.
+/// The lines of an OBJ file, piece by piece.
 Result<Marks> marks_of_obj(const std::vector<Text_line>& lines) {
-  std::vector<Point> points;
+  const Result<std::vector<std::vector<Point>>> polylines = polylines_of_obj(lines);
+  if (!polylines) return polylines.error();
   Marks marks;
+  for (const std::vector<Point>& points : *polylines)
+    for (std::size_t i = 1; i < points.size(); ++i) marks.marked.push_back({points[i - 1], points[i]});
+  return marks;
+}
+
+} // namespace
+
+Result<std::vector<std::vector<Point>>> polylines_of_obj(const std::vector<Text_line>& lines) {
+  std::vector<Point> points;
+  std::vector<std::vector<Point>> polylines;
   for (const Text_line& line : lines) {
     std::istringstream in(line.text);
     std::string word;
@@ -84,7 +95,7 @@ Result<Marks> marks_of_obj(const std::vector<Text_line>& lines) {
       if (!n || n->size() < 3) return malformed(line, "expected the coordinates of a point");
       points.emplace_back((*n)[0], (*n)[1], (*n)[2]);
     } else if (word == "l") {
-      int last = -1;
+      polylines.emplace_back();
       for (std::string corner; in >> corner;) {
         std::istringstream one(corner.substr(0, corner.find('/')));
         double x = 0;
@@ -92,15 +103,12 @@ Result<Marks> marks_of_obj(const std::vector<Text_line>& lines) {
         const int i =
             x < 0 ? index_of(double(points.size()) + x, 0, points.size()) : index_of(x, 1, points.size());
         if (i < 0) return malformed(line, "there is no such point before, points count from 1");
-        if (last >= 0) marks.marked.push_back({points[std::size_t(last)], points[std::size_t(i)]});
-        last = i;
+        polylines.back().push_back(points[std::size_t(i)]);
       }
     }
   }
-  return marks;
+  return polylines;
 }
-
-} // namespace
 
 void declare_marks(Command_line& line) {
   line.options.add_options()("marks", po::value<std::string>()->value_name("FILE"),

@@ -13,6 +13,7 @@
 namespace reebquad {
 
 struct Attributed_soup;
+struct Text_line;
 
 /// Where the marks of a command come from.
 struct Marks_request {
@@ -37,6 +38,10 @@ CGAL::Reeb_quadrangulation::Marks read_marks(const Marks_request& request, const
 /// Marks from such a text, or from the lines of an OBJ text.
 CGAL::Reeb_quadrangulation::Result<CGAL::Reeb_quadrangulation::Marks>
 parse_marks(const std::string& text, const CGAL::Reeb_quadrangulation::Polygon_soup& soup);
+
+/// The polylines of an OBJ text: its own points, and lines through these.
+CGAL::Reeb_quadrangulation::Result<std::vector<std::vector<CGAL::Reeb_quadrangulation::Point>>>
+polylines_of_obj(const std::vector<Text_line>& lines);
 
 /// The edges of polygons between two groups, objects or materials, or with texture coordinates that differ on
 /// their two sides. Fails with `unsupported_format` where the mesh has nothing of the kind.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Run_options.h"
 
+#include "Guides_input.h"
 #include "Input.h"
 #include "Mirror_output.h"
 #include "Number_list.h"
@@ -114,6 +115,7 @@ void declare_run_options(Command_line& line) {
   declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
   declare_marks(line);
+  declare_guides(line);
   declare_force(line);
   line.take("FILE");
 }
@@ -198,12 +200,14 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   if (line.has("write-recipe")) options.recipe = line.text("write-recipe");
   if (line.has("pictures")) options.pictures = line.text("pictures");
   if (line.has("thumbnail")) options.thumbnail = line.text("thumbnail");
-  keep_inputs(line, {{options.input, line.has("extrema") ? line.text("extrema") : "",
-                      line.has("marks") ? line.text("marks") : ""},
-                     {options.output, options.report, options.html, options.recipe, options.thumbnail},
-                     options.pictures});
+  keep_inputs(line,
+              {{options.input, line.has("extrema") ? line.text("extrema") : "",
+                line.has("marks") ? line.text("marks") : "", line.has("guides") ? line.text("guides") : ""},
+               {options.output, options.report, options.html, options.recipe, options.thumbnail},
+               options.pictures});
   options.mending = mending(line);
   options.marks = marks_request(line);
+  if (line.has("guides")) options.guides = line.text("guides");
   for (const char* option : {"weld", "drop-components-below", "refuse-non-manifold"})
     if (!options.recipe.empty() && line.has(option))
       throw Usage_error(std::string("a recipe does not keep --") + option +

@@ -25,6 +25,7 @@ struct Run_options {
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
   Marks_request marks;
+  std::string guides;          ///< a file; empty: none
   int component = 0;           ///< the only one to mesh, counted from 1; 0: all
   bool all_or_nothing = false; ///< write nothing unless every component is meshed
   bool charts = false;         ///< write the charts of the quads as groups and texture coordinates

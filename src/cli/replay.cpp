@@ -3,6 +3,7 @@
 #include "Attributes.h"
 #include "Command.h"
 #include "Design_output.h"
+#include "Guides_input.h"
 #include "Input.h"
 #include "Interruption.h"
 #include "Marks_input.h"
@@ -33,6 +34,7 @@ struct Replay_options {
   int threads = 0;
   std::optional<double> feature_angle; ///< instead of the recipe's
   Marks_request marks;                 ///< instead of the recipe's
+  std::string guides;                  ///< a file of guides beside the recipe's; empty: none
   bool feature_lines = false;          ///< also where the recipe has none
   bool relax = true;                   ///< where the recipe relaxes
   Solver_options solver;               ///< instead of the recipe's
@@ -57,6 +59,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "do not carry over texture coordinates, colours and names of the input")("quiet", "print errors only");
   declare_force(line);
   declare_marks(line);
+  declare_guides(line);
   declare_solver(line, "what the recipe says");
   line.take("INPUT");
   line.take("RECIPE");
@@ -67,7 +70,8 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   options.output = line.required("output");
   if (line.has("report")) options.report = line.text("report");
   if (line.has("pictures")) options.pictures = line.text("pictures");
-  keep_inputs(line, {{options.input, options.recipe, line.has("marks") ? line.text("marks") : ""},
+  keep_inputs(line, {{options.input, options.recipe, line.has("marks") ? line.text("marks") : "",
+                      line.has("guides") ? line.text("guides") : ""},
                      {options.output, options.report},
                      options.pictures});
   if (line.has("until")) {
@@ -87,6 +91,7 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   }
   options.feature_lines = line.has("feature-lines");
   options.marks = marks_request(line);
+  if (line.has("guides")) options.guides = line.text("guides");
   options.relax = !line.has("no-relax");
   options.solver = solver_options(line);
   options.attributes = !line.has("no-attributes");
@@ -114,6 +119,12 @@ Recipe read_recipe_until(const Replay_options& options) {
         read_marks(options.marks, options.input, read_attributed_soup(options.input, &told_later));
     recipe.finish.features.lines = true;
   }
+  if (!options.guides.empty()) {
+    std::vector<std::string> told_later;
+    const Attributed_soup mesh = read_attributed_soup(options.input, &told_later);
+    for (Guide& guide : read_guides(options.guides, mesh.soup))
+      recipe.edits.push_back(Add_guide{std::move(guide)});
+  }
   return recipe;
 }
 
@@ -121,7 +132,8 @@ Design_quads finished(const Replayed_recipe& replayed, const Recipe& recipe, con
                       Terminal_observer& observer) {
   Finished_design design = value_or_fail(replayed.editor.finished_quads(recipe.finish, &observer), input);
   std::vector<Pole_fan> fans = pole_fans(replayed.editor.design(), design.quads);
-  if (!replayed.half) return {std::move(design.quads), std::move(fans), std::nullopt};
+  if (!replayed.half)
+    return {std::move(design.quads), std::move(fans), std::nullopt, std::move(design.guides)};
   Finish_options finish = recipe.finish;
   finish.relaxation.threads = CGAL::Reeb_quadrangulation::internal::number_of_threads(recipe.options.threads);
   const Surface_projector whole(replayed.whole);
@@ -130,7 +142,8 @@ Design_quads finished(const Replayed_recipe& replayed, const Recipe& recipe, con
       mirror_design(std::move(design), *replayed.half, whole, mirror.positions, finish, &observer), input);
   fans = with_mirrored_fans(std::move(fans), mirrored.image, mirror.plane);
   Mirror_report report = mirror_report(mirror, mirror_deviation(whole, mirror.plane), mirrored);
-  return {std::move(mirrored.whole.quads), std::move(fans), std::move(report)};
+  return {std::move(mirrored.whole.quads), std::move(fans), std::move(report),
+          std::move(mirrored.whole.guides)};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report of a run as JSON; doc/Reeb_quadrangulation/report_schema.md describes it.
+#include "Guides_output.h"
 #include "Mirror_output.h"
 #include "Run.h"
 
@@ -142,6 +143,7 @@ Json component_json(const Component_run& component) {
   out["relaxation"] = relaxation_json(result.relaxation);
   out["features"] = features_json(result.features);
   out["marks"] = component.marks ? marks_json(*component.marks) : Json(nullptr);
+  out["guides"] = guides_json(result.guides);
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : result.valences)
     out["predicted_valences"][std::to_string(valence)] = number;

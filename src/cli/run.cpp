@@ -2,6 +2,8 @@
 // reebquad run FILE -o QUADS: the whole pipeline from a file to certified quads.
 #include "Run.h"
 #include "Attributes.h"
+#include "Guides_input.h"
+#include "Guides_output.h"
 #include "Input.h"
 #include "Interruption.h"
 #include "Mirror_output.h"
@@ -42,6 +44,7 @@ public:
     m_run.input_faces = m_input.soup.number_of_polygons();
     if (m_options.marks.any())
       m_options.pipeline.marks = read_marks(m_options.marks, m_options.input, m_input);
+    if (!m_options.guides.empty()) m_options.pipeline.guides = read_guides(m_options.guides, m_input.soup);
     mend(m_input.soup);
     if (!m_options.attributes) m_input.attributes = {};
     if (m_input.attributes.empty()) m_input.soup = {}; // nobody asks again
@@ -208,6 +211,7 @@ private:
     end();
     begin("statistics");
     measure_marks();
+    warn_of_guides();
     m_run.statistics = quad_statistics(m_run.quads);
     if (m_run.certificate->shape) add_shape(*m_run.statistics, *m_run.certificate->shape);
     end();
@@ -234,6 +238,16 @@ private:
     m_observer.clear();
     if (!warning.empty() && !m_options.quiet)
       std::cerr << "reebquad: " << m_options.input << ": warning: " << warning << '\n';
+  }
+
+  void warn_of_guides() {
+    for (const Component_run& component : m_run.components) {
+      if (!component.result || m_options.quiet) continue;
+      const std::string warning =
+          guides_warning(component.result->guides, component.result->editor.design().edge_length);
+      m_observer.clear();
+      if (!warning.empty()) std::cerr << "reebquad: " << m_options.input << ": warning: " << warning << '\n';
+    }
   }
 
   void write_outputs() {
@@ -288,6 +302,8 @@ private:
     if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
     for (const Component_run& component : m_run.components)
       if (component.marks && !m_options.quiet) std::cout << marks_text(*component.marks);
+    for (const Component_run& component : m_run.components)
+      if (component.result && !m_options.quiet) std::cout << guides_text(component.result->guides);
     if (m_run.mirror && !m_options.quiet) std::cout << mirror_text(*m_run.mirror_report(), *m_run.mirror);
     if (m_run.is_written()) {
       const std::size_t warnings = m_run.certificate->warnings.size();

@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_DESIGN_H
 #define CGAL_REEB_QUADRANGULATION_DESIGN_H
 
+#include <CGAL/Reeb_quadrangulation/Guide.h>
 #include <CGAL/Reeb_quadrangulation/Pole_kind.h>
 #include <CGAL/Reeb_quadrangulation/Surface_point.h>
 #include <CGAL/Reeb_quadrangulation/Texture_place.h>
@@ -70,6 +71,12 @@ struct Surface_field {
   std::vector<int> lost_extrema; ///< vertices that were suggested as extrema, and are none
 };
 
+/// A guide of a design.
+struct Design_guide {
+  Guide guide;
+  int contour = -1; ///< the contour edge that was drawn along it, or -1; other edits may have moved that
+};
+
 /// How well the counts meet what was asked for.
 struct Count_report {
   std::int64_t quads = 0; ///< of the regular textures
@@ -90,6 +97,7 @@ struct Design {
   int next_chart = 0;                         ///< the identity that the next chart gets
   std::vector<std::shared_ptr<const Design_chart>> charts; ///< parallel to the atlas's
   Atlas atlas;                                             ///< without `chart_of_face`; see `embed_design()`
+  std::vector<Design_guide> guides;                        ///< in the order in which they were added
 
   /// The index of the chart with an identity, or -1.
   int index_of(int id) const;

@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_EDIT_H
 #define CGAL_REEB_QUADRANGULATION_EDIT_H
 
+#include <CGAL/Reeb_quadrangulation/Guide.h>
 #include <CGAL/Reeb_quadrangulation/Pole_kind.h>
 #include <CGAL/Reeb_quadrangulation/Surface_point.h>
 #include <CGAL/Reeb_quadrangulation/Texture_edit.h>
@@ -282,6 +283,34 @@ struct Align_layout {
 };
 /// @}
 
+/// \name Guides
+/// Strokes on the surface that quads follow, see `Guide`. Points of guides mean the nearest guide. Charts
+/// keep their contours, counts and textures, but where a closed guide becomes a contour.
+/// @{
+
+/// Adds a guide. A closed one of strength 1 that is not to run along the flow becomes a contour of its own
+/// where it goes around one chart, or takes the place of the contour without saddles that it would come too
+/// near to; where it cannot, and along all other guides, lines of quads' edges are brought onto the stroke
+/// when the quads are finished. `Edit_report::remark` says what it will do, and that a stroke is too short
+/// to matter.
+struct Add_guide {
+  static constexpr const char* edit_name = "add_guide";
+  Guide guide;
+};
+/// Gives a guide another stroke, open or closed as it is, or another strength.
+struct Move_guide {
+  static constexpr const char* edit_name = "move_guide";
+  Surface_point at;
+  std::vector<Point> points; ///< none: the stroke stays
+  double strength = 0;       ///< 0: it stays
+};
+/// Removes a guide, and the contour that was drawn along it, if that is there still and may go.
+struct Remove_guide {
+  static constexpr const char* edit_name = "remove_guide";
+  Surface_point at;
+};
+/// @}
+
 /// \name Connectivity textures
 /// Points mean the quad of a chart's texture that contains them, its edge or its vertex that is nearest in
 /// the chart's map; all points of an edit lie in one chart. An edited texture stays as it is as long as the
@@ -365,7 +394,7 @@ using Edit =
                  Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
                  Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
                  Lock_chart, Align_layout, Edit_texture, Drag_vertices, Relax_texture, Snap_vertices,
-                 Reset_texture, Fit_texture>;
+                 Reset_texture, Fit_texture, Add_guide, Move_guide, Remove_guide>;
 
 /// The name of an edit in recipes and messages: "subdivide_chart".
 const char* name(const Edit& edit);

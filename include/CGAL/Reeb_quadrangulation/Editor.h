@@ -11,6 +11,7 @@
 #include <CGAL/Reeb_quadrangulation/stitch.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +28,7 @@ struct Edit_report {
   /// The share of a moved contour's length that lies in its plane; on the rest other contours, extrema or its
   /// saddle's order hold it.
   double followed = 1;
+  std::string remark; ///< what else the user should know, a sentence; usually empty
   double seconds = 0; ///< wall time
 };
 

@@ -30,8 +30,9 @@ struct Finished_design {
   Stitched_mesh quads;
   Relax_report relaxation;
   Snap_report features;
-  int subdivided_quads = 0; ///< by `Finish_options::adaptive`
-  int t_junctions = 0;      ///< between these and the others, all resolved
+  std::vector<Guide_outcome> guides; ///< in the order of the design's guides
+  int subdivided_quads = 0;          ///< by `Finish_options::adaptive`
+  int t_junctions = 0;               ///< between these and the others, all resolved
 };
 
 /// Finishes quads on the surface of the projector, which may serve several meshes. Where adaptive quads would

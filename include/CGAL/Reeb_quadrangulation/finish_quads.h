@@ -3,6 +3,7 @@
 #define CGAL_REEB_QUADRANGULATION_FINISH_QUADS_H
 
 #include <CGAL/Reeb_quadrangulation/Observer.h>
+#include <CGAL/Reeb_quadrangulation/followed_guide.h>
 #include <CGAL/Reeb_quadrangulation/relax_quads.h>
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 
@@ -16,6 +17,7 @@ struct Finished_quads {
   Quad_mesh mesh;
   Relax_report relaxation;
   Snap_report features;
+  std::vector<Guide_outcome> guides; ///< in the order of the guides, if there are some
 };
 
 /// The last stage: relaxes quads on the surface, where `features.feature_angle > 0` again on sharp edges; at

@@ -85,6 +85,8 @@ struct Quadrangulation_options {
   Snap_options features;
   /// Edges that the user sets, beside the sharp ones; need `relax`. A recipe keeps them.
   Marks marks;
+  /// Strokes that quads follow; need `relax`. See `Add_guide`.
+  std::vector<Guide> guides{};
   /// The user's own features of the surface, which count instead of its sharp edges; need `relax`. \sa
   /// finish_on_features.h
   std::optional<Given_features> given_features;
@@ -121,10 +123,11 @@ struct Quadrangulation {
   Recipe recipe;
   Relax_report relaxation;
   Snap_report features;
-  int subdivided_quads = 0;  ///< by `Quadrangulation_options::adaptive`
-  int t_junctions = 0;       ///< between these and the others, all resolved
-  int collapsed_charts = 0;  ///< thin charts that were removed by aligning their saddles
-  int flipped_triangles = 0; ///< of all charts' maps, 0 but for rounding
+  std::vector<Guide_outcome> guides; ///< what became of `Quadrangulation_options::guides`, in their order
+  int subdivided_quads = 0;          ///< by `Quadrangulation_options::adaptive`
+  int t_junctions = 0;               ///< between these and the others, all resolved
+  int collapsed_charts = 0;          ///< thin charts that were removed by aligning their saddles
+  int flipped_triangles = 0;         ///< of all charts' maps, 0 but for rounding
   int genus = 0;
   /// Patches of the base complex before and after extraordinary vertices were brought in line, as told from
   /// the layout; 0 where they were not. See `base_domain()`.

@@ -2,6 +2,7 @@
 #ifndef CGAL_REEB_QUADRANGULATION_STITCH_H
 #define CGAL_REEB_QUADRANGULATION_STITCH_H
 
+#include <CGAL/Reeb_quadrangulation/Guide.h>
 #include <CGAL/Reeb_quadrangulation/Placed_texture.h>
 #include <CGAL/Reeb_quadrangulation/t_junctions.h>
 
@@ -26,6 +27,7 @@ struct Stitched_mesh {
   /// If there are holes: the Euler characteristic and the number of boundary loops of each component of what
   /// is left.
   std::vector<std::pair<int, int>> components;
+  std::vector<Guide_line> guides; ///< that the quads shall follow when they are finished
 };
 
 /// Joins the placed textures. Where the charts on both sides of a contour edge have a vertex in the same

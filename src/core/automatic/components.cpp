@@ -38,11 +38,15 @@ options_of_components(const Quadrangulation_options& asked,
   }
   for (std::size_t c = 0; c < n; ++c) {
     options[c].extrema.clear();
+    options[c].guides.clear();
     const double share = total > 0 ? areas[c] / total : 1.0 / double(n);
     if (n > 1) options[c].quads = std::max(1, int(std::lround(asked.quads * share)));
   }
   for (const Placed_extremum& extremum : asked.extrema)
     options[nearest_component(components, extremum.point)].extrema.push_back(extremum);
+  for (const Guide& guide : asked.guides)
+    options[guide.points.empty() ? 0 : nearest_component(components, guide.points.front())].guides.push_back(
+        guide);
   return options;
 }
 

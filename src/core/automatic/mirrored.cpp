@@ -24,6 +24,12 @@ Quadrangulation_options half_options(const Quadrangulation_options& options, con
   if (options.adaptive.quads > 0) half.adaptive.quads = std::max(1, (options.adaptive.quads + 1) / 2);
   for (Placed_extremum& e : half.extrema)
     if (plane.signed_distance(e.point) < 0) e.point = plane.reflected(e.point);
+  for (Guide& guide : half.guides) {
+    int beyond = 0;
+    for (const Point& p : guide.points) beyond += plane.signed_distance(p) < 0;
+    if (2 * beyond > int(guide.points.size()))
+      for (Point& p : guide.points) p = plane.reflected(p);
+  }
   return half;
 }
 
@@ -35,6 +41,7 @@ void double_result(Quadrangulation& result, Mirrored_design&& mirrored) {
   result.chart_of_quad = std::move(whole.quads.chart_of_quad);
   result.relaxation = std::move(whole.relaxation);
   result.features = whole.features;
+  result.guides = std::move(whole.guides);
   result.subdivided_quads = whole.subdivided_quads;
   result.t_junctions = whole.t_junctions;
 }
@@ -48,6 +55,7 @@ Finished_design finished_of(Quadrangulation& result) {
   design.quads.chart_of_quad = std::move(result.chart_of_quad);
   design.relaxation = std::move(result.relaxation);
   design.features = result.features;
+  design.guides = std::move(result.guides);
   design.subdivided_quads = result.subdivided_quads;
   design.t_junctions = result.t_junctions;
   return design;

@@ -194,6 +194,7 @@ Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
   recipe.options = editor_options(options);
   recipe.edits.push_back(edit_of_extrema(options));
   if (options.align) recipe.edits.push_back(alignments(options.effort).front());
+  for (const Guide& guide : options.guides) recipe.edits.push_back(Add_guide{guide});
   recipe.finish = finish_options(options);
   return recipe;
 }
@@ -337,11 +338,25 @@ Result<void> align(Editor& editor, Recipe& recipe, const Quadrangulation_options
   return {};
 }
 
+// Guides come last, so that extraordinary vertices are in line before contours are drawn.
+Result<void> add_guides(Editor& editor, Recipe& recipe, const Quadrangulation_options& options,
+                        Observer& observer) {
+  for (const Guide& guide : options.guides) {
+    const Result<Edit_report> done = editor.apply(Add_guide{guide}, &observer);
+    if (!done) return done.error();
+    recipe.edits.push_back(Add_guide{guide});
+  }
+  return {};
+}
+
 Result<Made> make(Editor& editor, Recipe& recipe, const Quadrangulation_options& options,
                   Observer& observer) {
   Made made;
-  const auto aligns = [](const Edit& edit) { return std::holds_alternative<Align_layout>(edit); };
-  recipe.edits.erase(std::remove_if(recipe.edits.begin(), recipe.edits.end(), aligns), recipe.edits.end());
+  const auto comes_later = [](const Edit& edit) {
+    return std::holds_alternative<Align_layout>(edit) || std::holds_alternative<Add_guide>(edit);
+  };
+  recipe.edits.erase(std::remove_if(recipe.edits.begin(), recipe.edits.end(), comes_later),
+                     recipe.edits.end());
   for (const Edit& edit : recipe.edits) {
     const Result<Edit_report> done = editor.apply(edit, &observer);
     if (!done) return done.error();
@@ -349,6 +364,7 @@ Result<Made> make(Editor& editor, Recipe& recipe, const Quadrangulation_options&
   }
   if (options.align)
     if (Result<void> done = align(editor, recipe, options, made, observer); !done) return done.error();
+  if (Result<void> done = add_guides(editor, recipe, options, observer); !done) return done.error();
   Result<Finished_design> finished = options.given_features
                                          ? finished_on(*options.given_features, editor, recipe, observer)
                                          : editor.finished_quads(recipe.finish, &observer);
@@ -416,6 +432,7 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
                          std::move(*recipe),
                          std::move(finished.relaxation),
                          finished.features,
+                         std::move(finished.guides),
                          finished.subdivided_quads,
                          finished.t_junctions + quads.t_junctions,
                          made->collapsed,

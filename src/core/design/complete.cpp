@@ -56,6 +56,7 @@ public:
     m_design.network = std::move(m_draft.network);
     m_design.extrema = std::move(m_draft.extrema);
     m_design.field = m_draft.field;
+    keep_guides();
     return std::move(m_design);
   }
 
@@ -63,6 +64,14 @@ private:
   int number_of_charts() const { return int(m_draft.atlas().charts.size()); }
   const Design_chart* old_chart(int c) const {
     return m_draft.origin(c) >= 0 ? m_before.charts[m_draft.origin(c)].get() : nullptr;
+  }
+
+  // The contour of a guide may have been moved by other edits: then it has another number.
+  void keep_guides() {
+    m_design.guides = std::move(m_draft.guides);
+    for (Design_guide& guide : m_design.guides)
+      for (const auto& [edge, old] : m_draft.replaced)
+        if (guide.contour == old) guide.contour = edge;
   }
 
   // Settings of the charts that stay; the others begin afresh.

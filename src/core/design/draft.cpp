@@ -46,8 +46,9 @@ Result<void> Surface_solver::solve(Designed_field& field) {
 Draft::Draft(const Triangle_surface& surface, const internal::Lazy_projector& projector,
              Surface_solver& solver, const Design& design, const Editor_options& options, Observer* observer)
     : network(design.network), extrema(design.extrema), target_quads(design.target_quads),
-      edge_length(design.edge_length), field(design.field), m_surface(surface), m_projector(projector),
-      m_solver(solver), m_before(design), m_options(options), m_observer(observer), m_atlas(design.atlas) {
+      edge_length(design.edge_length), field(design.field), guides(design.guides), m_surface(surface),
+      m_projector(projector), m_solver(solver), m_before(design), m_options(options), m_observer(observer),
+      m_atlas(design.atlas) {
   remember_contours();
   for (std::size_t c = 0; c < design.charts.size(); ++c) {
     settings[design.charts[c]->id] = design.charts[c]->settings;
@@ -142,6 +143,8 @@ void Draft::take(Draft&& other) {
   field = std::move(other.field);
   collapsed_charts = other.collapsed_charts;
   followed = other.followed;
+  guides = std::move(other.guides);
+  remark = std::move(other.remark);
   has_pushed_contours = other.has_pushed_contours;
   m_atlas = std::move(other.m_atlas);
   m_was_cut = std::move(other.m_was_cut);
@@ -162,6 +165,7 @@ void Draft::adopt(Reeb_layout layout) {
   m_maps.assign(m_atlas.charts.size(), nullptr);
   m_origin.assign(m_atlas.charts.size(), -1);
   settings.clear();
+  for (Design_guide& guide : guides) guide.contour = -1;
   resample = true;
 }
 

@@ -62,6 +62,7 @@ public:
   const Triangle_surface& surface() const { return m_surface; }
   Surface_solver& solver() const { return m_solver; }
   const Editor_options& options() const { return m_options; }
+  const Surface_projector& projector() const { return *m_projector; }
   Field_solver_options field_solver() const { return {m_options.solver, m_options.constraints}; }
   Observer* observer() const { return m_observer; }
   const Design& before() const { return m_before; }
@@ -78,6 +79,8 @@ public:
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
   int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
   double followed = 1;                        ///< see `Edit_report::followed`
+  std::vector<Design_guide> guides;           ///< of the design
+  std::string remark;                         ///< see `Edit_report::remark`
   std::optional<Designed_field> given_field;  ///< of `Set_field`, on the surface of the draft
   bool has_pushed_contours =
       false; ///< so that charts may be too thin for numbers: then their maps are checked

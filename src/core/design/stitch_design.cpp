@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/draft.h"
+#include "design/guide_lines.h"
 
 #include "base/quad_connectivity.h"
 
@@ -33,6 +34,7 @@ Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
     return refuse("the quads of a locked chart would be split where its neighbours are denser", {},
                   Element_kind::chart, design.charts[c]->id);
   }
+  if (stitched && !design.guides.empty()) stitched->guides = guide_lines(*projector, design);
   if (!stitched || !has_edited_texture(design)) return stitched;
   if (const int q = internal::find_fault(stitched->mesh.quads, int(stitched->mesh.points.size())); q >= 0)
     return refuse("quads of neighbouring charts would be folded onto each other", {}, Element_kind::chart,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "features/finish_guides.h"
+
 #include <CGAL/Reeb_quadrangulation/finish_design_on_features.h>
-#include <CGAL/Reeb_quadrangulation/finish_on_features.h>
 
 #include <optional>
 
@@ -44,14 +45,13 @@ private:
     Quad_mesh& mesh = design.quads.mesh;
     const std::vector<int>& held = design.quads.held_vertices;
     Result<Finished_quads> finished =
-        m_features ? finish_quads(std::move(mesh), m_projector, *m_features, m_options.relaxation,
-                                  m_options.features, m_observer, held)
-                   : finish_quads(std::move(mesh), m_projector, m_options.relaxation, m_options.features,
-                                  m_observer, held);
+        internal::finish_quads(std::move(mesh), m_projector, m_features, m_options.relaxation,
+                               m_options.features, m_observer, held, design.quads.guides);
     if (!finished) return finished.error();
     mesh = std::move(finished->mesh);
     design.relaxation = std::move(finished->relaxation);
     design.features = finished->features;
+    design.guides = std::move(finished->guides);
     return {};
   }
 

@@ -155,6 +155,7 @@ public:
     mesh() = std::move(finished->quads.mesh);
     m_design.relaxation = std::move(finished->relaxation);
     m_design.features = finished->features;
+    m_design.guides = std::move(finished->guides);
     return {};
   }
 

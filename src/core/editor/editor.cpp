@@ -81,6 +81,7 @@ struct Changed {
   std::optional<Stitched_mesh> quads;
   int collapsed_charts = 0;
   double followed = 1;
+  std::string remark;
 };
 
 // Whether charts are filled in a way that neighbours may not meet.
@@ -114,14 +115,15 @@ struct Editor::Implementation {
     if (!next) return next.error();
     const int collapsed = draft.collapsed_charts;
     const double followed = draft.followed;
+    const std::string& remark = draft.remark;
     const bool may_fail =
         has_edited_texture(*next) || has_whole_pole(*next) || has_own_textures(options.textures);
-    if (!may_fail) return Changed{std::move(*next), {}, collapsed, followed};
+    if (!may_fail) return Changed{std::move(*next), {}, collapsed, followed, remark};
     Result<Stitched_mesh> stitched = stitch_design(working, projector, *next);
     if (!stitched) return stitched.error();
     if (has_whole_pole(*next) && !has_all_fans(*next, *stitched))
       return refuse("the ring around a whole pole is none that a fan could fill");
-    return Changed{std::move(*next), std::move(*stitched), collapsed, followed};
+    return Changed{std::move(*next), std::move(*stitched), collapsed, followed, remark};
   }
 
   // A function on the input as it is on the working copy: its extrema are those of the input, though flips
@@ -193,6 +195,7 @@ Result<Edit_report> Editor::apply(const Edit& edit, Observer* observer) {
   Edit_report report = differences(m.design(), *state);
   report.collapsed_charts = changed->collapsed_charts;
   report.followed = changed->followed;
+  report.remark = std::move(changed->remark);
   m.states.resize(m.position + 1);
   m.edits.resize(m.position);
   m.states.push_back(state);

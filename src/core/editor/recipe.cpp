@@ -188,6 +188,20 @@ template <class F> void fields(F& f, Reset_texture& e) {
   f("at", e.at);
   f.optional("scope", e.scope);
 }
+template <class F> void fields(F& f, Add_guide& e) {
+  f("points", e.guide.points);
+  f.optional("closed", e.guide.closed);
+  f.optional("strength", e.guide.strength);
+  f.optional("way", e.guide.way);
+}
+template <class F> void fields(F& f, Move_guide& e) {
+  f("at", e.at);
+  f.optional("points", e.points);
+  f.optional("strength", e.strength);
+}
+template <class F> void fields(F& f, Remove_guide& e) {
+  f("at", e.at);
+}
 template <class F> void fields(F& f, Editor_options& o) {
   f("quads", o.quads);
   f.optional("edge_length", o.edge_length);
@@ -235,6 +249,7 @@ template <> struct Names<Constraint_method> {
   static constexpr const char* of[] = {"elimination", "penalty"};
 };
 template <> struct Names<Mirror_positions> { static constexpr const char* of[] = {"exact", "projected"}; };
+template <> struct Names<Guide_way> { static constexpr const char* of[] = {"nearer", "level", "flow"}; };
 template <> struct Names<Falloff> { static constexpr const char* of[] = {"constant", "linear", "smooth"}; };
 template <> struct Names<Texture_operator> {
   static constexpr const char* of[] = {

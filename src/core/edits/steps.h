@@ -41,6 +41,9 @@ Result<void> apply_edit(Draft& draft, const Set_grading& edit);
 Result<void> apply_edit(Draft& draft, const Lock_chart& edit);
 Result<void> apply_edit(Draft& draft, const Align_layout& edit);
 Result<void> apply_edit(Draft& draft, const Reset_texture& edit);
+Result<void> apply_edit(Draft& draft, const Add_guide& edit);
+Result<void> apply_edit(Draft& draft, const Move_guide& edit);
+Result<void> apply_edit(Draft& draft, const Remove_guide& edit);
 
 /// \name Textures
 /// The design with other textures: contours and counts stay.

@@ -22,6 +22,9 @@ constexpr int most_cuts = 12;
 // Vertices give way that are so many edges away, for each edge that a line may be moved.
 constexpr double rings_per_reach = 4;
 
+// Sweeps that spread the way of a line over the rings around it, the first time and later.
+constexpr int sweeps_per_ring = 8, most_sweeps = 120, few_sweeps = 8;
+
 // A straight line of edges along a part of a curve. Arc lengths ascend; on closed curves they may leave [0,
 // length).
 struct Line {
@@ -41,11 +44,11 @@ class Lines {
 public:
   Lines(Quad_mesh& mesh, const Surface_projector& projector, const std::vector<Surface_curve>& curves,
         const Snap_options& options, double worst, std::vector<char>& held,
-        std::vector<Vertex_constraints::Place>& places)
-      : m_mesh(mesh), m_projector(projector), m_curves(curves), m_options(options), m_worst(worst),
-        m_held(held), m_places(places), m_outgoing(mesh.points.size(), -1), m_valence(mesh.points.size(), 0),
-        m_edge(mesh.points.size(), 0), m_boundary(mesh.points.size(), 0), m_ends(curves.size(), {-1, -1}),
-        m_taken(curves.size()), m_index(mesh.points.size(), -1),
+        std::vector<Vertex_constraints::Place>& places, const Line_choice& choice)
+      : m_mesh(mesh), m_projector(projector), m_curves(curves), m_options(options), m_choice(choice),
+        m_worst(worst), m_held(held), m_places(places), m_outgoing(mesh.points.size(), -1),
+        m_valence(mesh.points.size(), 0), m_edge(mesh.points.size(), 0), m_boundary(mesh.points.size(), 0),
+        m_ends(curves.size(), {-1, -1}), m_taken(curves.size()), m_index(mesh.points.size(), -1),
         m_rings(std::max(4, int(std::lround(rings_per_reach * options.line_reach)))) {
     connect_quads(mesh.quads, int(mesh.points.size()), m_opposite);
     for (int h = 0; h < int(m_opposite.size()); ++h) {
@@ -107,15 +110,25 @@ private:
       return -1;
     const Point tangent = m_curves[seed.curve].tangent(seed.t);
     int best = -1;
-    double most = 0.8;
+    double most = m_choice.least_cosine;
     for_each_outgoing(seed.vertex, [&](int h) {
       const Point way = m_mesh.points[to(h)] - m_mesh.points[seed.vertex];
-      if (const double cosine = way.dot(tangent) / way.norm(); cosine > most) {
+      if (const double cosine = way.dot(tangent) / way.norm(); cosine > most && goes_right(seed, way)) {
         most = cosine;
         best = h;
       }
     });
     return best;
+  }
+
+  // Whether an edge belongs to the family of lines that is wanted.
+  bool goes_right(const Feature_seed& seed, const Point& way) const {
+    if (m_choice.way == Guide_way::nearer || m_choice.flow.empty()) return true;
+    const Surface_curve& c = m_curves[seed.curve];
+    const double at = seed.t / c.length() * double(m_choice.flow.size() - 1);
+    const std::size_t i = std::size_t(std::clamp(std::lround(at), 0L, long(m_choice.flow.size()) - 1));
+    const double along = std::abs(way.dot(m_choice.flow[i])) / way.norm();
+    return (along * along > 0.5) == (m_choice.way == Guide_way::flow);
   }
 
   // The halfedge that goes straight on from the target of one, or -1.
@@ -171,7 +184,7 @@ private:
     for (int i = 0; i < line.size(); ++i) {
       const int v = line.vertices[i];
       const bool stays = m_held[v] && distance(line.curve, v, line.t[i]) > 1e-6 * m_edge[v];
-      if (stays || is_taken(line.curve, v, line.t[i]))
+      if (stays || (is_taken(line.curve, v, line.t[i]) && !is_end_of_line(line.curve, v, line.t[i])))
         parts.emplace_back();
       else
         parts.back().add(v, line.t[i]);
@@ -185,6 +198,16 @@ private:
     for (const auto& [low, high] : m_taken[c])
       for (double s : {t - turn, t, t + turn})
         if (s > low - margin && s < high + margin) return true;
+    return false;
+  }
+
+  // Whether another line may go on from a vertex that lies on a curve.
+  bool is_end_of_line(int c, int v, double t) const {
+    if (!m_choice.joins || !m_held[v] || distance(c, v, t) > 1e-6 * m_edge[v]) return false;
+    const double turn = m_curves[c].closed ? m_curves[c].length() : 0, near = 1e-3 * m_edge[v];
+    for (const auto& [low, high] : m_taken[c])
+      for (double s : {t - turn, t, t + turn})
+        if (std::abs(s - low) < near || std::abs(s - high) < near) return true;
     return false;
   }
 
@@ -221,10 +244,10 @@ private:
   // Ends near the ends of the curve come to lie there, unless another vertex does; the others are spread.
   void to_corners(Line& line) const {
     if (!curve(line).closed) {
-      if (line.size() > 1 && line.t[0] < 0.5 * (line.t[1] - line.t[0])) to_end(line, 0, 0, 0);
+      if (line.size() > 1 && line.t[0] < m_choice.end_reach * (line.t[1] - line.t[0])) to_end(line, 0, 0, 0);
       const int last = line.size() - 1;
       const double rest = last < 1 ? 0 : curve(line).length() - line.t[last];
-      if (last > 0 && rest < 0.5 * (line.t[last] - line.t[last - 1]))
+      if (last > 0 && rest < m_choice.end_reach * (line.t[last] - line.t[last - 1]))
         to_end(line, last, 1, curve(line).length());
     }
     for (int sweep = 0; sweep < 5; ++sweep)
@@ -246,13 +269,46 @@ private:
   std::vector<int> draw_along(const Line& line) {
     std::vector<int> around = line.vertices;
     m_moved.clear();
-    std::vector<Point> way;
+    for (int i = 0; i < line.size(); ++i) m_index[line.vertices[i]] = i;
+    find_around(around);
+    for (int v : around) m_moved.push_back(m_mesh.points[v]);
+    std::vector<int> faces(around.size(), -1);
+    const int steps = steps_of(line);
+    std::vector<Point> way(around.size(), Point::Zero());
+    for (int step = 0; step < steps; ++step) {
+      const bool is_last = step + 1 == steps;
+      for (int i = 0; i < line.size(); ++i)
+        if (!m_held[line.vertices[i]])
+          way[i] = (curve(line).at(line.t[i]) - m_moved[i]) / double(steps - step);
+      // Every step goes nearly the same way as the one before.
+      give_way(line, around, way, step == 0 ? std::min(sweeps_per_ring * m_rings, most_sweeps) : few_sweeps);
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        if (i < line.vertices.size() && (is_last || m_held[line.vertices[i]])) {
+          if (!m_held[line.vertices[i]]) m_moved[i] = curve(line).at(line.t[i]);
+          continue;
+        }
+        if (faces[i] < 0) faces[i] = m_projector.closest(m_moved[i]).face;
+        const Closest_point found = m_projector.closest_nearby(m_moved[i] + way[i], faces[i]);
+        m_moved[i] = found.point;
+        faces[i] = found.face;
+      }
+    }
+    return around;
+  }
+
+  // In how many steps a line comes onto its curve.
+  int steps_of(const Line& line) const {
+    if (!(m_choice.step > 0)) return 1;
+    double most = 0;
     for (int i = 0; i < line.size(); ++i) {
       const int v = line.vertices[i];
-      m_index[v] = i;
-      m_moved.push_back(m_held[v] ? m_mesh.points[v] : curve(line).at(line.t[i]));
-      way.push_back(m_moved.back() - m_mesh.points[v]);
+      most = std::max(most, distance(line.curve, v, line.t[i]) / m_edge[v]);
     }
+    return std::max(1, int(std::ceil(most / m_choice.step)));
+  }
+
+  // The vertices in the rings around a line that may move.
+  void find_around(std::vector<int>& around) {
     std::size_t begin = 0;
     for (int ring = 0; ring < m_rings; ++ring) {
       const std::size_t end = around.size();
@@ -264,8 +320,11 @@ private:
           around.push_back(w);
         });
     }
-    way.resize(around.size(), Point::Zero());
-    for (int sweep = 0; sweep < 8 * m_rings; ++sweep)
+  }
+
+  // The ways of the vertices around a line, by those of its own.
+  void give_way(const Line& line, const std::vector<int>& around, std::vector<Point>& way, int sweeps) const {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t i = line.vertices.size(); i < around.size(); ++i) {
         Point sum = Point::Zero();
         for_each_outgoing(around[i], [&](int h) {
@@ -273,11 +332,6 @@ private:
         });
         way[i] = sum / m_valence[around[i]];
       }
-    for (std::size_t i = line.vertices.size(); i < around.size(); ++i) {
-      const Point& p = m_mesh.points[around[i]];
-      m_moved.push_back(m_projector.closest_nearby(p + way[i], m_projector.closest(p).face).point);
-    }
-    return around;
   }
 
   // The vertices of a line, by their places in it, that make a quad too bad.
@@ -331,6 +385,7 @@ private:
   const Surface_projector& m_projector;
   const std::vector<Surface_curve>& m_curves;
   const Snap_options& m_options;
+  const Line_choice& m_choice;
   double m_worst;
   std::vector<char>& m_held;
   std::vector<Vertex_constraints::Place>& m_places;
@@ -349,8 +404,8 @@ private:
 int lay_lines_on_features(Quad_mesh& mesh, const Surface_projector& projector,
                           const std::vector<Surface_curve>& curves, const std::vector<Feature_seed>& seeds,
                           const Snap_options& options, double worst, std::vector<char>& held,
-                          std::vector<Vertex_constraints::Place>& places) {
-  return Lines(mesh, projector, curves, options, worst, held, places).run(seeds);
+                          std::vector<Vertex_constraints::Place>& places, const Line_choice& choice) {
+  return Lines(mesh, projector, curves, options, worst, held, places, choice).run(seeds);
 }
 
 } // namespace internal

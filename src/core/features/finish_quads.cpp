@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/blame.h"
+#include "features/finish_guides.h"
 #include "features/snap_to_chains.h"
 #include "relax/reach.h"
 #include "relax/relax_state.h"
@@ -63,8 +64,20 @@ public:
       : m_projector(projector), m_relaxation(relaxation), m_snapping(snapping), m_features(features),
         m_is_given(true), m_observer(observer), m_held(held) {}
 
-  // At last vertices go to where the surface is far from all quads.
-  Result<Finished_quads> run(Quad_mesh mesh) const {
+  // At last vertices go to where the surface is far from all quads, and onto guides.
+  Result<Finished_quads> run(Quad_mesh mesh, const std::vector<Guide_line>& guides = {}) const {
+    Result<Finished_quads> quads = reached(std::move(mesh));
+    if (!quads || guides.empty()) return quads;
+    const Vertex_constraints rest = designed(quads->mesh);
+    if (Result<void> done =
+            internal::finish_on_guides(*quads, m_projector, guides, rest, m_relaxation, m_observer);
+        !done)
+      return done.error();
+    return quads;
+  }
+
+private:
+  Result<Finished_quads> reached(Quad_mesh mesh) const {
     Result<Finished_quads> quads = relaxed(std::move(mesh));
     if (!quads || !m_relaxation.untangle || m_relaxation.iterations == 0) return quads;
     if (m_observer) m_observer->progress("reach", 0);
@@ -75,7 +88,6 @@ public:
     return quads;
   }
 
-private:
   // Quads are first relaxed without regard to sharp edges. Of the ways onto these that
   // make them no worse, the one that is worth most is taken.
   Result<Finished_quads> relaxed(Quad_mesh mesh) const {
@@ -298,6 +310,16 @@ Result<Finished_quads> finish_quads(Quad_mesh mesh, const Surface_projector& pro
                                     const Snap_options& options, Observer* observer,
                                     const std::vector<int>& held) {
   return Finisher(projector, relaxation, options, features, observer, held).run(std::move(mesh));
+}
+
+Result<Finished_quads> internal::finish_quads(Quad_mesh mesh, const Surface_projector& projector,
+                                              const Given_features* features, const Relax_options& relaxation,
+                                              const Snap_options& options, Observer* observer,
+                                              const std::vector<int>& held,
+                                              const std::vector<Guide_line>& guides) {
+  if (features)
+    return Finisher(projector, relaxation, options, *features, observer, held).run(std::move(mesh), guides);
+  return Finisher(projector, relaxation, options, observer, held).run(std::move(mesh), guides);
 }
 
 Result<Finished_quads> finish_quads(Quad_mesh mesh, const Triangle_surface& input,
