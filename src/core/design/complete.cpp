@@ -83,6 +83,30 @@ private:
           if (const auto replaced = m_draft.replaced.find(e.edge); replaced != m_draft.replaced.end())
             m_kept_counts[e.edge] = m_before.samples.counts[replaced->second];
     }
+    inherit_dislocations();
+  }
+
+  static int fewest_rows(const Chart_settings& settings) {
+    int most = 1;
+    for (const Design_dislocation& d : settings.dislocations) most = std::max(most, std::abs(d.columns) / 2);
+    return rows_for_dislocations(most);
+  }
+
+  // Where contours have changed, dislocations stay in their places on the surface. A cap takes in all
+  // columns, and has none.
+  void inherit_dislocations() {
+    std::vector<char> stays(m_before.charts.size(), 0);
+    for (int c = 0; c < number_of_charts(); ++c)
+      if (m_draft.origin(c) >= 0) stays[m_draft.origin(c)] = 1;
+    for (std::size_t i = 0; i < stays.size(); ++i) {
+      const auto settings = m_draft.settings.find(m_before.charts[i]->id);
+      if (stays[i] || settings == m_draft.settings.end()) continue;
+      for (const Design_dislocation& d : settings->second.dislocations) {
+        const int c = m_draft.chart_point_at(d.at).chart;
+        if (c >= 0 && m_draft.origin(c) < 0 && m_draft.chart(c).kind == Chart_kind::annulus)
+          m_settings[c].dislocations.push_back(d);
+      }
+    }
   }
 
   Result<void> keep_locked() const {
@@ -173,6 +197,8 @@ private:
       if (chart.kind == Sampling_chart::Kind::annulus) {
         chart.locked_rows = m_settings[c].rows;
         chart.locked_columns = m_settings[c].columns;
+        chart.columns_gained = m_settings[c].columns_gained();
+        chart.fewest_rows = fewest_rows(m_settings[c]);
       }
       if (!m_settings[c].locked || !old_chart(c)) continue;
       chart.locked_columns = 0;
@@ -238,6 +264,8 @@ private:
     }
     Chart_parameterization solved = map(c);
     Texture_placement placement = m_settings[c].placement();
+    for (const Design_dislocation& d : m_settings[c].dislocations)
+      placement.dislocations.push_back({m_draft.chart_point_at(d.at, c).location, d.columns});
     std::array<int, 2> grid = m_grid[c];
     const std::vector<int> corners = rectangle_corners(m_draft.network, chart);
     if (!corners.empty()) {
@@ -250,6 +278,9 @@ private:
         chart.kind == Chart_kind::annulus
             ? place_annulus(chart, m_design.samples, grid[1], solved, m_draft.options().textures, placement)
             : place_disc(chart, m_design.samples, grid[0], grid[1], solved, disc_maker(chart), placement);
+    if (!placed && !placement.dislocations.empty() && placed.error().code == Error_code::impossible_request)
+      return refuse("a chart has no room for its dislocations", placed.error().message, Element_kind::chart,
+                    m_ids[c]);
     if (!placed) return placed.error();
     made->texture = std::move(*placed);
     made->map = std::make_shared<const Chart_parameterization>(std::move(solved));

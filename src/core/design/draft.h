@@ -149,7 +149,8 @@ private:
   std::vector<char> m_was_cut; // per contour edge: whether the atlas knows it
 };
 
-bool has_edited_texture(const Design& design);
+/// Whether quads of neighbouring charts may meet otherwise than those of regular textures.
+bool has_irregular_texture(const Design& design);
 
 /// The chart before whose contours chart `c` has, but for those that were replaced, and which has an edited
 /// texture; or null.

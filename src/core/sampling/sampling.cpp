@@ -22,7 +22,6 @@ using internal::Count_row;
 using internal::Count_variable;
 using Kind = Sampling_chart::Kind;
 
-constexpr int fewest_rows = 2;
 constexpr double largest_count = 1e8;
 
 // What the counts are to be: near length / h, near the previous counts, and few (each quad costs
@@ -33,7 +32,7 @@ struct Wish {
 };
 
 int fewest_rows_of(const Sampling_chart& c) {
-  return c.locked_rows > 0 ? c.locked_rows : fewest_rows;
+  return c.locked_rows > 0 ? c.locked_rows : c.fewest_rows;
 }
 
 Result<void> check(const Sampling_problem& problem, const Sampling_options& options) {
@@ -57,6 +56,7 @@ Result<void> check(const Sampling_problem& problem, const Sampling_options& opti
                         Element_kind::contour, e);
   }
   for (const Sampling_chart& chart : problem.charts) {
+    CGAL_precondition(chart.fewest_rows >= 2 && chart.columns_gained % 2 == 0);
     CGAL_precondition(chart.kind == Kind::disc ? chart.low.empty() != chart.high.empty()
                                                : !chart.low.empty() && !chart.high.empty());
     for (const std::vector<int>* walk : {&chart.low, &chart.high})
@@ -140,6 +140,18 @@ void add_row(Count_row row, Count_problem& counts) {
   if (!row.terms.empty()) counts.rows.push_back(std::move(row));
 }
 
+// As many columns at the high walk of an annulus as at the low one, and those that it gains.
+Count_row columns_row(const Sampling_chart& chart, int c, Count_problem& counts) {
+  Count_row columns = row(chart.low, chart.high, c);
+  if (chart.columns_gained == 0) return columns;
+  Count_variable gained;
+  gained.minimum = chart.columns_gained;
+  gained.fixed = true;
+  columns.terms.emplace_back(int(counts.variables.size()), 1);
+  counts.variables.push_back(gained);
+  return columns;
+}
+
 // The columns of an annulus as an unknown that has only one value.
 void lock_columns(const Sampling_chart& chart, int c, Count_problem& counts) {
   if (chart.low.size() == 1) {
@@ -197,7 +209,7 @@ Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
     } else if (chart.kind == Kind::disc) {
       add_disc(problem, int(c), counts);
     } else {
-      counts.rows.push_back(row(chart.low, chart.high, int(c)));
+      counts.rows.push_back(columns_row(chart, int(c), counts));
       if (chart.locked_columns > 0) lock_columns(chart, int(c), counts);
     }
   }
@@ -215,17 +227,23 @@ Result<std::vector<int>> solve_counts(const Sampling_problem& problem, const Wis
   return solution;
 }
 
-std::int64_t total(const std::vector<std::array<int, 2>>& grid) {
+// Columns that a chart gains, it has in half of its rows.
+int mean_columns(const Sampling_chart& chart, const std::array<int, 2>& grid) {
+  return grid[0] + chart.columns_gained / 2;
+}
+
+std::int64_t total(const Sampling_problem& problem, const std::vector<std::array<int, 2>>& grid) {
   std::int64_t sum = 0;
-  for (const auto& g : grid) sum += std::int64_t(g[0]) * g[1];
+  for (std::size_t c = 0; c < grid.size(); ++c)
+    sum += std::int64_t(mean_columns(problem.charts[c], grid[c])) * grid[c][1];
   return sum;
 }
 
 int rows_for(const Sampling_chart& chart, double h, int previous, double stability) {
   if (chart.locked_rows > 0) return chart.locked_rows;
   const double ideal = std::min(chart.height / h, largest_count);
-  if (previous >= fewest_rows && std::abs(previous - ideal) <= 0.5 + 0.5 * stability) return previous;
-  return std::max(fewest_rows, int(std::floor(ideal + 0.5)));
+  if (previous >= chart.fewest_rows && std::abs(previous - ideal) <= 0.5 + 0.5 * stability) return previous;
+  return std::max(chart.fewest_rows, int(std::floor(ideal + 0.5)));
 }
 
 // Completes counts to a sampling: rows, caps, totals.
@@ -248,7 +266,7 @@ Sampling complete(const Sampling_problem& problem, std::vector<int> counts, doub
     else
       result.grid.push_back({columns, rows_for(chart, h, previous, options.stability)});
   }
-  result.quads = total(result.grid);
+  result.quads = total(problem, result.grid);
   for (std::size_t e = 0; e < problem.edges.size(); ++e) {
     const double ratio = result.counts[e] * h / problem.edges[e].length;
     const double worse = std::max(ratio, 1 / ratio);
@@ -363,7 +381,7 @@ private:
       const auto grid = s->grid;
       m_best = complete(m_problem, std::move(s->counts), natural, m_options);
       m_best.grid = grid;
-      m_best.quads = total(grid);
+      m_best.quads = total(m_problem, grid);
     }
     tune_rows(m_best);
     return {};
@@ -392,8 +410,8 @@ private:
       for (std::size_t c = 0; c < m_problem.charts.size(); ++c) {
         const Sampling_chart& chart = m_problem.charts[c];
         const int rows = s.grid[c][1];
-        if (chart.kind == Kind::disc || chart.locked_rows > 0 || rows + step < fewest_rows) continue;
-        if (s.grid[c][0] >= 2 * off(s)) continue;
+        if (chart.kind == Kind::disc || chart.locked_rows > 0 || rows + step < chart.fewest_rows) continue;
+        if (mean_columns(chart, s.grid[c]) >= 2 * off(s)) continue;
         const double ideal = chart.height / s.edge_length;
         if (std::abs(rows + step - ideal) > std::max(1.0, 0.25 * ideal) && (rows + step - ideal) * step > 0)
           continue;
@@ -404,7 +422,7 @@ private:
       }
       if (chosen < 0) return;
       s.grid[chosen][1] += step;
-      s.quads += step * s.grid[chosen][0];
+      s.quads += step * mean_columns(m_problem.charts[chosen], s.grid[chosen]);
     }
   }
 
@@ -436,7 +454,7 @@ Result<Sampling> fewest_quads(const Sampling_problem& problem) {
   const auto grid = result.grid;
   result = complete(problem, std::move(*counts), std::sqrt(rough_area(problem) / double(result.quads)), {});
   result.grid = grid;
-  result.quads = result.fewest = total(grid);
+  result.quads = result.fewest = total(problem, grid);
   return result;
 }
 

@@ -37,6 +37,8 @@ constexpr std::array renamed{
     Word{Set_target::edit_name, "set number"},
     Word{Set_columns::edit_name, "set number around"},
     Word{Set_rows::edit_name, "set number along"},
+    Word{Add_dislocation::edit_name, "end columns"},
+    Word{Remove_dislocation::edit_name, "let columns go on"},
     Word{Set_shift::edit_name, "twist chart"},
     Word{Set_grading::edit_name, "set density"},
     Word{Pin_corners::edit_name, "make regular"},
