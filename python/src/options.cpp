@@ -140,6 +140,7 @@ void read_run(Keywords& keywords, Quadrangulation_options& options) {
   keywords.read("effort", options.effort,
                 {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
   keywords.read("extra_vertices", options.extra_vertices);
+  keywords.read("dislocations", options.dislocations);
   keywords.read("persistence", options.suggestion.persistence);
   if (const py::object axis = keywords.take("axis"); !axis.is_none())
     options.suggestion.axis = point_from(axis, "axis");

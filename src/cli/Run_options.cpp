@@ -70,6 +70,8 @@ void declare_run_options(Command_line& line) {
        "fast: suggested extrema; default, best: search better ones, so that quads keep the shape") //
       ("extra-vertices", value<int>("N"),
        "the search may spend N extraordinary vertices; default: as many as pay") //
+      ("dislocations", value<int>("N"),
+       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each") //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -142,6 +144,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
       choice<Effort>("--effort", line.text("effort"),
                      {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
   if (line.has("extra-vertices")) pipeline.extra_vertices = in_range(line, "extra-vertices", 0, 1000000);
+  if (line.has("dislocations")) pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
   pipeline.extrema = placed_extrema(line);
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");

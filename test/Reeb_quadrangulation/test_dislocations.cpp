@@ -234,7 +234,7 @@ TEST_CASE("dislocations stay where they are while contours and sizes change arou
   CHECK(sessions::valences(editor).at(5) == 1);
   CHECK(std::abs(quads_of(editor) - 800) < 60);
   applied(editor, Remove_contour{at(0, 0.95, 0.2)});
-  CHECK(chart_at(editor, at(0, 0, 0.1)).settings.columns_gained() == -2);
+  CHECK(chart_at(editor, at(1, 0, 0.1)).settings.columns_gained() == -2);
   applied(editor, Set_rows{place, 9});
   applied(editor, Set_shift{place, 2});
   CHECK(sessions::valences(editor).at(5) == 1);
@@ -256,4 +256,53 @@ TEST_CASE("dislocations that cannot be are refused with a reason") {
   const Result<Edit_report> done = editor.apply(Add_dislocation{belt, -4});
   REQUIRE(!done);
   CHECK_THAT(done.error().message, Contains("a chart has no room for its dislocations"));
+}
+
+namespace {
+
+// The standard deviation of the quads' areas over their mean.
+double variation_of_areas(const Editor& editor) {
+  const Quad_mesh mesh = editor.quads().mesh;
+  double sum = 0, squares = 0;
+  for (const Quad& q : mesh.quads) {
+    const auto at = [&](std::size_t i) { return mesh.points[std::size_t(q[i])]; };
+    const double area = 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
+    sum += area;
+    squares += area * area;
+  }
+  const double n = double(mesh.quads.size()), mean = sum / n;
+  return std::sqrt(squares / n - mean * mean) / mean;
+}
+
+int dislocations_of(const Editor& editor) {
+  int number = 0;
+  for (const auto& chart : editor.design().charts) number += int(chart->settings.dislocations.size());
+  return number;
+}
+
+} // namespace
+
+TEST_CASE("columns that begin and end where a shape is wide make quads more alike, for few extraordinary "
+          "vertices") {
+  Editor editor =
+      sessions::session(sessions::shape("sphere", 3000), sessions::extrema({0, 0, -1}, {{0, 0, 1}}), 2500);
+  const double before = variation_of_areas(editor);
+  applied(editor, Balance_columns{6, 0.5});
+  CHECK(dislocations_of(editor) > 1);
+  CHECK(dislocations_of(editor) <= 6);
+  CHECK(sessions::valences(editor).at(5) == dislocations_of(editor));
+  CHECK(variation_of_areas(editor) < 0.9 * before);
+  CHECK(std::abs(quads_of(editor) - 2500) < 150);
+  const int placed = dislocations_of(editor);
+  applied(editor, Balance_columns{20, 0.5}); // charts that have dislocations keep theirs
+  CHECK(dislocations_of(editor) >= placed);
+  refused(editor, Balance_columns{0, 8},
+          "1 to 10,000 dislocations are placed, and a column has a positive price");
+}
+
+TEST_CASE("with dear dislocations counts are balanced without any") {
+  Editor editor = sessions::torus_session();
+  const std::map<int, int> before = sessions::valences(editor);
+  applied(editor, Balance_columns{4, 1e6});
+  CHECK(sessions::valences(editor) == before);
 }

@@ -271,6 +271,13 @@ struct Remove_dislocation {
   static constexpr const char* edit_name = "remove_dislocation";
   Surface_point at;
 };
+/// Chooses all counts anew, each contour as its length asks for, and lets dislocations make up the
+/// difference where that pays: in annuli whose counts nobody has set and which have none yet.
+struct Balance_columns {
+  static constexpr const char* edit_name = "balance_columns";
+  int most = 8;     ///< dislocations; where more would pay, columns that end or begin become dearer
+  double price = 8; ///< of a column, see `Sampling_options::column_price`
+};
 /// Turns the upper contour of an annulus by columns eastward, beyond the best fit.
 struct Set_shift {
   static constexpr const char* edit_name = "set_shift";
@@ -384,8 +391,8 @@ using Edit =
                  Move_contour, Move_saddle, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
                  Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
                  Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
-                 Add_dislocation, Remove_dislocation, Lock_chart, Align_layout, Edit_texture, Drag_vertices,
-                 Relax_texture, Snap_vertices, Reset_texture, Fit_texture>;
+                 Add_dislocation, Remove_dislocation, Balance_columns, Lock_chart, Align_layout, Edit_texture,
+                 Drag_vertices, Relax_texture, Snap_vertices, Reset_texture, Fit_texture>;
 
 /// The name of an edit in recipes and messages: "subdivide_chart".
 const char* name(const Edit& edit);

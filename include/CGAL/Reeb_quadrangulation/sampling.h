@@ -47,6 +47,8 @@ struct Sampling_chart {
   int fewest_rows = 2;    ///< (annuli only)
   /// Columns that the high walk has more than the low one; even (annuli only).
   int columns_gained = 0;
+  /// How far the sampling may go from that, in either direction; even (annuli only).
+  int free_gain = 0;
   /// A disc that is a rectangle: the entries of its boundary where its four sides begin; opposite sides get
   /// equal sums.
   std::array<int, 4> corners{{-1, -1, -1, -1}};
@@ -74,6 +76,7 @@ struct Sampling_problem {
 struct Sampling {
   std::vector<int> counts;              ///< one for each edge
   std::vector<std::array<int, 2>> grid; ///< one for each chart
+  std::vector<int> gained;              ///< one for each chart: columns more at the high walk
   std::int64_t quads = 0;               ///< in all charts
   double edge_length = 0;               ///< the h that was used
   double worst_ratio = 1;               ///< largest of `n_e / (length / h)` and its inverse over all edges
@@ -89,6 +92,10 @@ struct Sampling_options {
   std::vector<int> previous_counts;
   std::vector<int> previous_rows;
   double previous_edge_length = 0; ///< its `edge_length`: where `sample_for_quads` begins; 0 = none
+  /// What a column costs that an annulus gains or loses beyond `columns_gained`, where `free_gain` permits:
+  /// as much as so many rows of quads all of which are by the square root of their number too many or too
+  /// few.
+  double column_price = 8;
   /// A count is held until the unhindered optimum is about this many steps of the quad mesh away from it.
   double stability = 1;
 };

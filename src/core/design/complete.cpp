@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From contours to textures: what is new in a draft is mapped, sampled and filled.
+#include "design/dislocation_places.h"
 #include "design/draft.h"
 #include "design/pole_texture.h"
 
@@ -148,11 +149,9 @@ private:
     Layout_sampling_problem layout = sampling_problem(points, m_draft.network, m_draft.atlas(), m_heights);
     Sampling_options options;
     add_wishes(layout, options);
-    const double h = m_draft.edge_length;
-    Result<Sampling> sampling = m_draft.resample && m_draft.target_quads > 0
-                                    ? sample_for_quads(layout.problem, m_draft.target_quads)
-                                    : sample_layout(layout.problem, h, options);
+    Result<Sampling> sampling = choose_counts(layout.problem, options);
     if (!sampling) return sampling.error();
+    for (auto& [chart, places] : m_places) m_settings[chart].dislocations = places.place();
     if (Result<void> few = check_number(*sampling); !few) return few.error();
     m_design.counts = {sampling->quads, sampling->target_met, sampling->worst_ratio,
                        sampling->worst_edge < 0 ? -1 : layout.edges[std::size_t(sampling->worst_edge)]};
@@ -162,6 +161,56 @@ private:
       m_design.samples.counts[layout.edges[i]] = sampling->counts[i];
     m_grid = sampling->grid;
     return {};
+  }
+
+  Result<Sampling> choose_counts(const Sampling_problem& problem, const Sampling_options& options) {
+    if (m_draft.most_dislocations == 0) return sample_once(problem, m_draft.target_quads, options);
+    Result<Sampling> sampling = sample_with_dislocations(problem, m_draft.target_quads, options);
+    if (!sampling || !m_draft.resample || m_draft.target_quads == 0) return sampling;
+    const double off = double(sampling->quads) / m_draft.target_quads;
+    if (std::abs(off - 1) < 0.02) return sampling;
+    // Where columns begin or end is not known before.
+    return sample_with_dislocations(problem, std::max(1, int(m_draft.target_quads / off)), options);
+  }
+
+  Result<Sampling> sample_once(const Sampling_problem& problem, int quads,
+                               const Sampling_options& options) const {
+    Sampling_options afresh;
+    afresh.column_price = options.column_price;
+    return m_draft.resample && m_draft.target_quads > 0
+               ? sample_for_quads(problem, quads, afresh)
+               : sample_layout(problem, m_draft.edge_length, options);
+  }
+
+  // The dearer dislocations are the fewer there are, and none in the end.
+  Result<Sampling> sample_with_dislocations(const Sampling_problem& problem, int quads,
+                                            Sampling_options options) {
+    for (options.column_price = m_draft.column_price;; options.column_price *= 1.5) {
+      Result<Sampling> sampling = sample_once(problem, quads, options);
+      if (!sampling) return sampling;
+      m_places.clear();
+      int number = 0;
+      for (int c = 0; c < number_of_charts(); ++c) {
+        if (problem.charts[c].free_gain == 0) continue;
+        Dislocation_places places(*old_chart(c), sampling->grid[c], sampling->edge_length);
+        number += places.choose_rows(sampling->gained[c], price_of_end * options.column_price);
+        sampling->quads += places.quads() - std::int64_t(sampling->grid[c][0] + sampling->gained[c] / 2) *
+                                                sampling->grid[c][1];
+        m_places.emplace(c, std::move(places));
+      }
+      if (number <= m_draft.most_dislocations || options.column_price > 1e12) return sampling;
+    }
+  }
+
+  // How many columns an annulus may gain or lose, beside those that somebody has asked for: two dislocations
+  // and more, if it is not thin, and as many as it has place for.
+  int free_gain(int c) const {
+    const Design_chart* old = old_chart(c);
+    const Chart_settings& settings = m_settings[c];
+    if (m_draft.most_dislocations == 0 || !old || old->edited || settings.locked || settings.columns > 0 ||
+        !settings.dislocations.empty() || old->grid[1] < 4)
+      return 0;
+    return 2 * std::max(1, std::min(old->grid[0] / 4, (old->grid[1] - 2) * old->grid[0] / 24));
   }
 
   // Layouts in which one count forces others may need many more quads than the edge length asks for. Where
@@ -198,6 +247,7 @@ private:
         chart.locked_rows = m_settings[c].rows;
         chart.locked_columns = m_settings[c].columns;
         chart.columns_gained = m_settings[c].columns_gained();
+        chart.free_gain = free_gain(c);
         chart.fewest_rows = fewest_rows(m_settings[c]);
       }
       if (!m_settings[c].locked || !old_chart(c)) continue;
@@ -288,6 +338,8 @@ private:
     return {};
   }
 
+  static constexpr double price_of_end = 2.5; // of a dislocation's end, in columns that begin or end
+
   Draft& m_draft;
   const Design& m_before;
   Design m_design;
@@ -296,6 +348,7 @@ private:
   std::vector<double> m_heights;
   std::vector<std::array<int, 2>> m_grid;
   std::vector<const Design_chart*> m_predecessors; ///< per chart, whose edited texture it takes over, or null
+  std::map<int, Dislocation_places> m_places;      ///< per chart, of dislocations that are added
   std::map<int, int> m_kept_counts;                ///< of contour edges that took the place of others
 };
 

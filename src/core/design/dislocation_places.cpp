@@ -10,6 +10,7 @@ namespace Reeb_quadrangulation {
 
 namespace {
 
+constexpr int fewest_columns = 4;
 constexpr int pairs_in_a_row = 2; // more of them turn too many quads by 45 degrees
 // Places in a row are told apart by the mean length of this part of a row's edges for each dislocation.
 constexpr double window = 0.25;
@@ -24,11 +25,17 @@ double length_at(const Height_profile& profile, double u) {
   return profile.length[i] + (x - i) * (profile.length[i + 1] - profile.length[i]);
 }
 
+// Off the sides, if there are rows enough.
+int pairs_of_each(int rows) {
+  return std::min(pairs_in_a_row, std::max(1, rows - 2));
+}
+
 } // namespace
 
-Dislocation_places::Dislocation_places(const Design_chart& chart, int low, double edge_length)
-    : m_chart(chart), m_low(low), m_locator(*chart.chart, *chart.map) {
-  m_levels = graded_rows(chart.map->profile(), chart.grid[1], chart.settings.grading);
+Dislocation_places::Dislocation_places(const Design_chart& chart, const std::array<int, 2>& grid,
+                                       double edge_length)
+    : m_chart(chart), m_low(grid[0]) {
+  m_levels = graded_rows(chart.map->profile(), grid[1], chart.settings.grading);
   for (double u : m_levels) m_ideal.push_back(length_at(chart.map->profile(), u) / edge_length);
 }
 
@@ -37,41 +44,123 @@ double Dislocation_places::cost(int row, int columns) const {
   return d * d / n;
 }
 
-// For each of some dislocations, in order, the row that it begins in: least costs of all rows' columns.
-std::vector<int> Dislocation_places::choose_rows(int number, int columns_each, int columns_of_last) const {
-  const int rows = int(m_levels.size()) - 1;
-  const auto columns = [&](int placed) {
-    return m_low + placed * columns_each + (placed == number ? columns_of_last - columns_each : 0);
-  };
-  constexpr double never = std::numeric_limits<double>::infinity();
-  for (int most_in_row = std::max(1, std::min(columns(0), columns(number)) / 8);; most_in_row *= 2) {
-    std::vector<std::vector<double>> least(rows + 1, std::vector<double>(number + 1, never));
-    std::vector<std::vector<int>> from(rows + 1, std::vector<int>(number + 1, 0));
-    least[0][0] = 0;
-    for (int r = 1; r <= rows; ++r)
-      for (int j = 0; j <= number; ++j)
-        for (int i = std::max(0, j - most_in_row); i <= j; ++i) {
-          const double c = least[r - 1][i] + cost(r, columns(j));
-          if (c >= least[r][j]) continue;
-          least[r][j] = c;
-          from[r][j] = i;
-        }
-    if (least[rows][number] == never) continue;
-    std::vector<int> chosen(number);
-    for (int r = rows, j = number; r > 0; --r) {
-      for (int i = from[r][j]; i < j; ++i) chosen[i] = r - 1;
-      j = from[r][j];
-    }
-    return chosen;
+// The least cost of a chart's columns, row by row. A state is the number of columns and the pairs that are in
+// the row below: where these change, rows of pairs begin or end, each in an extraordinary vertex.
+class Dislocation_places::Program {
+public:
+  Program(const Dislocation_places& places, int columns, double price)
+      : m_places(places), m_rows(int(places.m_levels.size()) - 1), m_goal(columns / 2), m_price(price) {
+    int most = 2 * std::max(places.m_low, places.m_low + columns);
+    if (price > 0)
+      for (double ideal : places.m_ideal) most = std::max(most, std::min(int(1.2 * ideal), 2 * most));
+    m_least = -(places.m_low - fewest_columns) / 2;
+    m_size = (most - places.m_low) / 2 - m_least + 1;
+    const bool both = price > 0;
+    m_slowest = columns <= 0 || both ? -most_in_row(columns) : 0;
+    m_fastest = columns >= 0 || both ? most_in_row(columns) : 0;
+    m_width = m_fastest - m_slowest + 1;
   }
+
+  // The pairs in each row; nothing if there are too many.
+  std::vector<int> run() {
+    m_cost.assign(std::size_t(m_size * m_width), never);
+    if (0 < m_least || 0 >= m_least + m_size) return {};
+    m_cost[state(0, 0)] = 0;
+    m_from.assign(std::size_t(m_rows), std::vector<int>(m_cost.size(), -1));
+    for (int r = 0; r < m_rows; ++r) advance(r);
+    int best = -1;
+    for (int pairs = m_slowest; pairs <= m_fastest; ++pairs) {
+      const int s = state(m_goal, pairs);
+      if (m_cost[s] == never) continue;
+      m_cost[s] += m_price * std::abs(pairs);
+      if (best < 0 || m_cost[s] < m_cost[best]) best = s;
+    }
+    if (best < 0) return {};
+    std::vector<int> pairs(static_cast<std::size_t>(m_rows));
+    for (int r = m_rows - 1; r >= 0; --r) {
+      pairs[std::size_t(r)] = best % m_width + m_slowest;
+      best = m_from[std::size_t(r)][std::size_t(best)];
+    }
+    return pairs;
+  }
+
+private:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  int state(int gained, int pairs) const { return (gained - m_least) * m_width + pairs - m_slowest; }
+  // A few, or as many as it takes, as long as there is place between them.
+  int most_in_row(int columns) const {
+    const int room = std::min(m_places.m_low, m_places.m_low + columns) / 8;
+    return std::max(1, std::min(room, std::max(4, 1 + std::abs(columns) / m_rows)));
+  }
+  // Off the sides, if there are rows enough.
+  bool may_have_pairs(int row) const { return m_rows < 4 || (row > 0 && row + 1 < m_rows); }
+
+  void advance(int row) {
+    std::vector<double> next(m_cost.size(), never);
+    for (int gained = m_least; gained < m_least + m_size; ++gained)
+      for (int before = m_slowest; before <= m_fastest; ++before) {
+        const double cost = m_cost[state(gained, before)];
+        if (cost == never) continue;
+        for (int pairs = m_slowest; pairs <= m_fastest; ++pairs) {
+          const int after = gained + pairs;
+          if (after < m_least || after >= m_least + m_size || (pairs != 0 && !may_have_pairs(row))) continue;
+          const double c = cost + m_price * std::abs(pairs - before) + 1e-3 * std::abs(pairs) +
+                           m_places.cost(row + 1, m_places.m_low + 2 * after);
+          const int s = state(after, pairs);
+          if (c >= next[s]) continue;
+          next[s] = c;
+          m_from[std::size_t(row)][std::size_t(s)] = state(gained, before);
+        }
+      }
+    m_cost = std::move(next);
+  }
+
+  const Dislocation_places& m_places;
+  int m_rows, m_goal;
+  double m_price;
+  int m_least = 0, m_size = 0; // of the pairs gained
+  int m_slowest = 0, m_fastest = 0, m_width = 1;
+  std::vector<double> m_cost;
+  std::vector<std::vector<int>> m_from;
+};
+
+int Dislocation_places::choose_rows(int columns, double price_of_end) {
+  m_begins.clear();
+  const std::vector<int> pairs = Program(*this, columns, price_of_end).run();
+  const int rows = int(m_levels.size()) - 1, each = pairs_of_each(rows);
+  std::vector<std::array<int, 2>> open; // begins that may go on: index, pairs so far
+  int left = columns / 2;
+  for (int r = 0; r < int(pairs.size()); ++r) {
+    std::vector<std::array<int, 2>> next;
+    for (int i = std::abs(pairs[std::size_t(r)]); i > 0; --i) {
+      const int sign = pairs[std::size_t(r)] < 0 ? -1 : 1;
+      const auto on = std::find_if(open.begin(), open.end(), [&](const std::array<int, 2>& o) {
+        return o[1] < each && m_begins[std::size_t(o[0])].pairs * sign > 0;
+      });
+      if (on == open.end()) {
+        m_begins.push_back({r, sign});
+        next.push_back({int(m_begins.size()) - 1, 1});
+      } else {
+        m_begins[std::size_t((*on)[0])].pairs += sign;
+        next.push_back({(*on)[0], (*on)[1] + 1});
+        open.erase(on);
+      }
+      left -= sign;
+    }
+    open = std::move(next);
+  }
+  // What no rows had room for: it is seen there whether there is.
+  for (; left != 0; left += left < 0 ? 1 : -1) m_begins.push_back({rows / 2, left < 0 ? -1 : 1});
+  return int(m_begins.size());
 }
 
 // V of the place in a row of so many columns.
-double Dislocation_places::best_place(int row, int columns, bool ends) const {
+double Dislocation_places::best_place(const Chart_locator& locator, int row, int columns, bool ends) const {
   const double u = m_levels[row];
   std::vector<Point> at;
   for (int i = 0; i < columns; ++i)
-    at.push_back(position(*m_chart.chart, m_locator.locate(double(i) / columns, u)));
+    at.push_back(position(*m_chart.chart, locator.locate(double(i) / columns, u)));
   std::vector<double> edge;
   double sum = 0;
   for (int i = 0; i < columns; ++i) {
@@ -103,22 +192,31 @@ double Dislocation_places::best_place(int row, int columns, bool ends) const {
   return double(best) / columns;
 }
 
-std::vector<Design_dislocation> Dislocation_places::place(int columns) {
-  std::vector<Design_dislocation> placed;
-  if (columns == 0) return placed;
-  const int sign = columns < 0 ? -1 : 1, pairs = std::abs(columns) / 2;
-  const int rows = int(m_levels.size()) - 1;
-  const int each = std::min(pairs_in_a_row, std::max(1, rows - 2));
-  const int number = (pairs + each - 1) / each, last = pairs - each * (number - 1);
-  const std::vector<int> begin = choose_rows(number, 2 * sign * each, 2 * sign * last);
+std::int64_t Dislocation_places::quads() const {
+  std::int64_t sum = 0;
   int around = m_low;
-  for (int i = 0; i < number; ++i) {
-    const int k = i + 1 < number ? each : last, row = begin[i];
-    const double v = best_place(row, std::max(4, around), sign < 0);
-    const double u = 0.5 * (m_levels[row] + m_levels[std::min(rows, row + k)]);
-    placed.push_back({position(*m_chart.chart, m_locator.locate(v, u)), 2 * sign * k});
-    m_taken.push_back({v, double(row)});
-    around += 2 * sign * k;
+  std::size_t next = 0;
+  for (int r = 0; r + 1 < int(m_levels.size()); ++r) {
+    const int below = around;
+    for (; next < m_begins.size() && m_begins[next].row <= r; ++next) around += 2 * m_begins[next].pairs;
+    sum += (below + around) / 2;
+  }
+  return sum;
+}
+
+std::vector<Design_dislocation> Dislocation_places::place() {
+  std::vector<Design_dislocation> placed;
+  if (m_begins.empty()) return placed;
+  const Chart_locator locator(*m_chart.chart, *m_chart.map);
+  const int rows = int(m_levels.size()) - 1;
+  m_taken.clear();
+  int around = m_low;
+  for (const Begin& b : m_begins) {
+    const double v = best_place(locator, b.row, std::max(fewest_columns, around), b.pairs < 0);
+    const double u = 0.5 * (m_levels[b.row] + m_levels[std::min(rows, b.row + std::abs(b.pairs))]);
+    placed.push_back({position(*m_chart.chart, locator.locate(v, u)), 2 * b.pairs});
+    m_taken.push_back({v, double(b.row)});
+    around += 2 * b.pairs;
   }
   return placed;
 }

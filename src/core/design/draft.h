@@ -73,6 +73,8 @@ public:
   double edge_length = 0;
   bool resample = false;        ///< choose all counts anew for the target, not near the old ones
   std::vector<int> counts;      ///< per contour edge, to be taken as they are; empty = chosen
+  int most_dislocations = 0;    ///< that may be added where counts then come nearer to lengths
+  double column_price = 8;      ///< of these, see `Sampling_options`
   std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
   std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from

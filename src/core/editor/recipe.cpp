@@ -137,6 +137,10 @@ template <class F> void fields(F& f, Add_dislocation& e) {
   f("at", e.at);
   f.optional("columns", e.columns);
 }
+template <class F> void fields(F& f, Balance_columns& e) {
+  f.optional("most", e.most);
+  f.optional("price", e.price);
+}
 template <class F> void fields(F& f, Remove_dislocation& e) {
   f("at", e.at);
 }

@@ -64,6 +64,16 @@ Result<void> apply_edit(Draft& draft, const Remove_dislocation& edit) {
   return {};
 }
 
+Result<void> apply_edit(Draft& draft, const Balance_columns& edit) {
+  if (edit.most < 1 || edit.most > 10000 || !(edit.price > 0) || !std::isfinite(edit.price))
+    return make_error(Error_code::impossible_request,
+                      "1 to 10,000 dislocations are placed, and a column has a positive price");
+  draft.most_dislocations = edit.most;
+  draft.column_price = edit.price;
+  draft.resample = true;
+  return {};
+}
+
 Result<void> set_columns_of_side(Draft& draft, const Set_columns& edit) {
   const Result<int> c = free_annulus_at(draft, edit.at);
   if (!c) return c.error();
@@ -78,8 +88,9 @@ Result<void> set_columns_of_side(Draft& draft, const Set_columns& edit) {
   if (std::abs(gained) > 4 * std::max(low, high))
     return make_error(Error_code::impossible_request,
                       "the columns of a side are at most five times those of the other");
-  settings.dislocations =
-      Dislocation_places(chart, settings.columns, draft.before().edge_length).place(gained);
+  Dislocation_places places(chart, {{settings.columns, chart.grid[1]}}, draft.before().edge_length);
+  places.choose_rows(gained);
+  settings.dislocations = places.place();
   return {};
 }
 

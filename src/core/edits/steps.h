@@ -40,6 +40,7 @@ Result<void> apply_edit(Draft& draft, const Set_shift& edit);
 Result<void> apply_edit(Draft& draft, const Set_grading& edit);
 Result<void> apply_edit(Draft& draft, const Add_dislocation& edit);
 Result<void> apply_edit(Draft& draft, const Remove_dislocation& edit);
+Result<void> apply_edit(Draft& draft, const Balance_columns& edit);
 Result<void> apply_edit(Draft& draft, const Lock_chart& edit);
 Result<void> apply_edit(Draft& draft, const Align_layout& edit);
 Result<void> apply_edit(Draft& draft, const Reset_texture& edit);

@@ -57,6 +57,7 @@ Result<void> check(const Sampling_problem& problem, const Sampling_options& opti
   }
   for (const Sampling_chart& chart : problem.charts) {
     CGAL_precondition(chart.fewest_rows >= 2 && chart.columns_gained % 2 == 0);
+    CGAL_precondition(chart.free_gain >= 0 && chart.free_gain % 2 == 0);
     CGAL_precondition(chart.kind == Kind::disc ? chart.low.empty() != chart.high.empty()
                                                : !chart.low.empty() && !chart.high.empty());
     for (const std::vector<int>* walk : {&chart.low, &chart.high})
@@ -141,12 +142,15 @@ void add_row(Count_row row, Count_problem& counts) {
 }
 
 // As many columns at the high walk of an annulus as at the low one, and those that it gains.
-Count_row columns_row(const Sampling_chart& chart, int c, Count_problem& counts) {
+Count_row columns_row(const Sampling_chart& chart, int c, double price, Count_problem& counts) {
   Count_row columns = row(chart.low, chart.high, c);
-  if (chart.columns_gained == 0) return columns;
+  if (chart.columns_gained == 0 && chart.free_gain == 0) return columns;
   Count_variable gained;
-  gained.minimum = chart.columns_gained;
-  gained.fixed = true;
+  gained.minimum = chart.columns_gained - chart.free_gain;
+  gained.fixed = chart.free_gain == 0;
+  gained.cost.stability = price;
+  gained.cost.previous = chart.columns_gained;
+  gained.cost.most = chart.columns_gained + chart.free_gain;
   columns.terms.emplace_back(int(counts.variables.size()), 1);
   counts.variables.push_back(gained);
   return columns;
@@ -209,7 +213,7 @@ Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
     } else if (chart.kind == Kind::disc) {
       add_disc(problem, int(c), counts);
     } else {
-      counts.rows.push_back(columns_row(chart, int(c), counts));
+      counts.rows.push_back(columns_row(chart, int(c), options.column_price, counts));
       if (chart.locked_columns > 0) lock_columns(chart, int(c), counts);
     }
   }
@@ -228,14 +232,13 @@ Result<std::vector<int>> solve_counts(const Sampling_problem& problem, const Wis
 }
 
 // Columns that a chart gains, it has in half of its rows.
-int mean_columns(const Sampling_chart& chart, const std::array<int, 2>& grid) {
-  return grid[0] + chart.columns_gained / 2;
+int mean_columns(const Sampling& s, std::size_t chart) {
+  return s.grid[chart][0] + s.gained[chart] / 2;
 }
 
-std::int64_t total(const Sampling_problem& problem, const std::vector<std::array<int, 2>>& grid) {
+std::int64_t total(const Sampling& s) {
   std::int64_t sum = 0;
-  for (std::size_t c = 0; c < grid.size(); ++c)
-    sum += std::int64_t(mean_columns(problem.charts[c], grid[c])) * grid[c][1];
+  for (std::size_t c = 0; c < s.grid.size(); ++c) sum += std::int64_t(mean_columns(s, c)) * s.grid[c][1];
   return sum;
 }
 
@@ -257,6 +260,7 @@ Sampling complete(const Sampling_problem& problem, std::vector<int> counts, doub
     const bool disc = chart.kind == Kind::disc;
     int columns = 0;
     for (int e : disc ? boundary(chart) : chart.low) columns += result.counts[e];
+    result.gained.push_back(disc ? 0 : sum(result.counts, chart.high) - columns);
     const int previous = options.previous_rows.empty() ? 0 : options.previous_rows[c];
     if (disc && chart.corners[0] >= 0)
       result.grid.push_back(
@@ -266,7 +270,7 @@ Sampling complete(const Sampling_problem& problem, std::vector<int> counts, doub
     else
       result.grid.push_back({columns, rows_for(chart, h, previous, options.stability)});
   }
-  result.quads = total(problem, result.grid);
+  result.quads = total(result);
   for (std::size_t e = 0; e < problem.edges.size(); ++e) {
     const double ratio = result.counts[e] * h / problem.edges[e].length;
     const double worse = std::max(ratio, 1 / ratio);
@@ -381,7 +385,7 @@ private:
       const auto grid = s->grid;
       m_best = complete(m_problem, std::move(s->counts), natural, m_options);
       m_best.grid = grid;
-      m_best.quads = total(m_problem, grid);
+      m_best.quads = total(m_best);
     }
     tune_rows(m_best);
     return {};
@@ -411,7 +415,7 @@ private:
         const Sampling_chart& chart = m_problem.charts[c];
         const int rows = s.grid[c][1];
         if (chart.kind == Kind::disc || chart.locked_rows > 0 || rows + step < chart.fewest_rows) continue;
-        if (mean_columns(chart, s.grid[c]) >= 2 * off(s)) continue;
+        if (mean_columns(s, c) >= 2 * off(s)) continue;
         const double ideal = chart.height / s.edge_length;
         if (std::abs(rows + step - ideal) > std::max(1.0, 0.25 * ideal) && (rows + step - ideal) * step > 0)
           continue;
@@ -422,7 +426,7 @@ private:
       }
       if (chosen < 0) return;
       s.grid[chosen][1] += step;
-      s.quads += step * mean_columns(m_problem.charts[chosen], s.grid[chosen]);
+      s.quads += step * mean_columns(s, std::size_t(chosen));
     }
   }
 
@@ -454,7 +458,7 @@ Result<Sampling> fewest_quads(const Sampling_problem& problem) {
   const auto grid = result.grid;
   result = complete(problem, std::move(*counts), std::sqrt(rough_area(problem) / double(result.quads)), {});
   result.grid = grid;
-  result.quads = result.fewest = total(problem, grid);
+  result.quads = result.fewest = total(result);
   return result;
 }
 

@@ -92,12 +92,31 @@ private:
     return true;
   }
 
-  // Whether two dislocations in one row stay apart as long as both go on: ends draw nearer by two columns a
-  // row.
-  bool apart(std::size_t a, std::size_t b, int columns_between) const {
-    const Dislocation &x = m_dislocations[a], &y = m_dislocations[b];
-    const int rows = std::min(x.pairs() - m_state[a].done, y.pairs() - m_state[b].done);
-    return columns_between >= (x.columns < 0 && y.columns < 0 ? 2 * rows + 1 : 3);
+  using Placed = std::vector<std::array<int, 2>>; // dislocations, and the columns where they are in a row
+
+  int pairs_left(int d) const {
+    return m_dislocations[std::size_t(d)].pairs() - m_state[std::size_t(d)].done;
+  }
+  bool is_end(int d) const { return m_dislocations[std::size_t(d)].columns < 0; }
+
+  // Whether dislocations in one row have a regular column between them as long as they go on: in each row an
+  // end takes one column on either side.
+  bool stay_apart(Placed placed) const {
+    std::sort(placed.begin(), placed.end(), [](const auto& x, const auto& y) { return x[1] < y[1]; });
+    const int number = int(placed.size()), n = m_ring.size();
+    for (int i = 0; i < number; ++i) {
+      const auto [d, from] = placed[std::size_t(i)];
+      std::vector<int> between; // rows left of the ends on the way
+      for (int j = 1; j < number; ++j) {
+        const auto [e, at] = placed[std::size_t((i + j) % number)];
+        const int rows = std::min(pairs_left(d), pairs_left(e)) - 1;
+        int gap = (at - from + n) % n - (is_end(d) && is_end(e) ? 2 * rows : 0);
+        for (int k : between) gap -= 2 * std::min(rows, k);
+        if (gap < 3) return false;
+        if (is_end(e)) between.push_back(pairs_left(e));
+      }
+    }
+    return true;
   }
 
   bool is_taken(int vertex) const {
@@ -106,51 +125,51 @@ private:
     return std::any_of(m_state.begin(), m_state.end(), [&](const State& s) { return s.tip == vertex; });
   }
 
-  bool fits(std::size_t d, int column, const std::vector<std::array<int, 2>>& placed) const {
-    const int n = m_ring.size();
-    if (is_taken(m_ring.id[column])) return false;
-    for (const auto& [other, at] : placed) {
-      const int gap = std::abs(at - column);
-      if (!apart(d, std::size_t(other), std::min(gap, n - gap))) return false;
+  // The column nearest to the place of a dislocation where it can begin beside the others, or -1.
+  int column_for(int d, const Placed& placed) const {
+    std::vector<std::pair<double, int>> order;
+    for (int i = 0; i < m_ring.size(); ++i)
+      order.emplace_back(std::abs(wrapped_step(m_ring.v[i] - m_dislocations[std::size_t(d)].v)), i);
+    std::sort(order.begin(), order.end());
+    Placed tried = placed;
+    tried.push_back({d, -1});
+    for (const auto& [off, i] : order) {
+      tried.back()[1] = i;
+      if (!is_taken(m_ring.id[i]) && stay_apart(tried)) return i;
     }
-    return true;
+    return -1;
   }
 
   // The dislocations that have a pair in a row, with the column where it is; in no order.
-  bool find_pairs(int row, std::vector<std::array<int, 2>>& placed) {
+  bool find_pairs(int row, Placed& placed) {
     int columns = m_ring.size();
     for (std::size_t d = 0; d < m_state.size(); ++d) {
       if (m_state[d].done == 0 || m_state[d].done == m_dislocations[d].pairs()) continue;
       const auto at = std::find(m_ring.id.begin(), m_ring.id.end(), m_state[d].tip);
       placed.push_back({int(d), int(at - m_ring.id.begin())});
-      columns += m_dislocations[d].columns < 0 ? -2 : 2;
+      columns += is_end(int(d)) ? -2 : 2;
     }
     for (std::size_t d = 0; d < m_state.size(); ++d) {
       if (m_state[d].done > 0 || row < m_state[d].first) continue;
-      int best = -1;
-      const auto off = [&](int i) { return std::abs(wrapped_step(m_ring.v[i] - m_dislocations[d].v)); };
-      for (int i = 0; i < m_ring.size(); ++i)
-        if ((best < 0 || off(i) < off(best)) && fits(d, i, placed)) best = i;
-      const int gained = m_dislocations[d].columns < 0 ? -2 : 2;
-      if (best < 0 || columns + m_dislocations[d].columns < fewest_columns) {
+      const int best = columns + m_dislocations[d].columns < fewest_columns ? -1 : column_for(int(d), placed);
+      if (best < 0) {
         if (row == m_state[d].last) return false;
         continue;
       }
       placed.push_back({int(d), best});
-      columns += gained;
+      columns += is_end(int(d)) ? -2 : 2;
     }
-    return columns >= fewest_columns;
+    return columns >= fewest_columns && stay_apart(placed);
   }
 
   bool add_row(int row) {
-    std::vector<std::array<int, 2>> placed;
+    Placed placed;
     if (!find_pairs(row, placed)) return false;
     const int n = m_ring.size();
     std::vector<Role> role(n, Role::plain);
     for (const auto& [d, at] : placed) {
-      const bool ends = m_dislocations[d].columns < 0;
-      role[at] = ends ? Role::end : Role::beginning;
-      if (ends) role[(at + 1) % n] = role[(at + n - 1) % n] = Role::beside;
+      role[at] = is_end(d) ? Role::end : Role::beginning;
+      if (is_end(d)) role[(at + 1) % n] = role[(at + n - 1) % n] = Role::beside;
     }
     Ring next;
     // Above each vertex: where the quads on its left and on its right go up to, and what is between.
@@ -159,13 +178,12 @@ private:
     add_quads(role, left, middle, right);
     for (const auto& [d, at] : placed) {
       State& s = m_state[std::size_t(d)];
-      const bool ends = m_dislocations[d].columns < 0;
       std::array<int, 2>& marks = m_out.ends[std::size_t(d)];
-      if (s.done == 0) marks[ends ? 0 : 1] = m_ring.id[at];
+      if (s.done == 0) marks[is_end(d) ? 0 : 1] = m_ring.id[at];
       s.tip = middle[at];
       ++s.done;
       if (s.done < m_dislocations[d].pairs()) continue;
-      marks[ends ? 1 : 0] = s.tip;
+      marks[is_end(d) ? 1 : 0] = s.tip;
       s.tip = -1;
     }
     m_ring = std::move(next);

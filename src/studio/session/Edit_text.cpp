@@ -38,6 +38,7 @@ constexpr std::array renamed{
     Word{Set_columns::edit_name, "set number around"},
     Word{Set_rows::edit_name, "set number along"},
     Word{Add_dislocation::edit_name, "end columns"},
+    Word{Balance_columns::edit_name, "balance numbers around"},
     Word{Remove_dislocation::edit_name, "let columns go on"},
     Word{Set_shift::edit_name, "twist chart"},
     Word{Set_grading::edit_name, "set density"},
