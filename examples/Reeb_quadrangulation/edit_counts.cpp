@@ -18,6 +18,10 @@ int main() {
   apply(editor, RQ::Set_rows{belt, 12});
   apply(editor, RQ::Set_shift{belt, 2});
   apply(editor, RQ::Set_grading{belt, 3});
+
+  // Fewer columns above than below: a 3-5 pair ends two, others make up the difference between the sides.
+  apply(editor, RQ::Add_dislocation{belt, -2});
+  apply(editor, RQ::Set_columns{belt, 32, RQ::Chart_side::high});
   apply(editor, RQ::Move_corner{at(0, 0, 1), at(0.3, 0, 0.95)});
 
   // A locked chart keeps its quads, whatever is edited elsewhere.

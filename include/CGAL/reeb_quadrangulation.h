@@ -61,6 +61,7 @@
 #include <CGAL/Reeb_quadrangulation/decimate.h>
 #include <CGAL/Reeb_quadrangulation/design_energy.h>
 #include <CGAL/Reeb_quadrangulation/deviation.h>
+#include <CGAL/Reeb_quadrangulation/dislocations.h>
 #include <CGAL/Reeb_quadrangulation/face_graph.h>
 #include <CGAL/Reeb_quadrangulation/face_graph_options.h>
 #include <CGAL/Reeb_quadrangulation/face_graph_surface.h>

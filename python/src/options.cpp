@@ -141,6 +141,7 @@ void read_run(Keywords& keywords, Quadrangulation_options& options) {
                 {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
   keywords.read("extra_vertices", options.extra_vertices);
   keywords.read("budget", options.budget);
+  keywords.read("dislocations", options.dislocations);
   keywords.read("persistence", options.suggestion.persistence);
   if (const py::object axis = keywords.take("axis"); !axis.is_none())
     options.suggestion.axis = point_from(axis, "axis");

@@ -76,6 +76,8 @@ void declare_run_options(Command_line& line) {
        "search so long, instead of as many designs as --effort tries; the outcome depends on the machine") //
       ("weights", value<std::string>("NAME=X,..."),
        ("what the search looks for: weights of " + names_of_weights()).c_str()) //
+      ("dislocations", value<int>("N"),
+       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each") //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -157,6 +159,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
       throw Usage_error("--budget is for a search, and --effort fast has none");
   }
   if (line.has("weights")) pipeline.energy = energy_weights(line.text("weights"));
+  if (line.has("dislocations")) pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
   pipeline.extrema = placed_extrema(line);
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");

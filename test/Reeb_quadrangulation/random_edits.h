@@ -74,7 +74,11 @@ public:
 
 private:
   Edit count() {
-    switch (m_random.below(4)) {
+    switch (m_random.below(8)) {
+    case 7: return Balance_columns{1 + m_random.below(6), 0.5 + 8 * m_random.unit()};
+    case 4: return Set_columns{vertex(), 2 * m_random.below(12), Chart_side(1 + m_random.below(2))};
+    case 5: return Add_dislocation{vertex(), 2 * (m_random.below(7) - 3)};
+    case 6: return Remove_dislocation{vertex()};
     case 0: return Set_columns{vertex(), 2 * m_random.below(12)};
     case 1: return Set_rows{vertex(), m_random.below(9)};
     case 2: return Set_shift{vertex(), m_random.below(7) - 3};

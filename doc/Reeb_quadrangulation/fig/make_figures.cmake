@@ -67,7 +67,7 @@ function(edit_figures shape triangles)
   endforeach()
 endfunction()
 edit_figures(sphere 4000 add_extremum move_extremum subdivide_chart move_contour move_part drag_contour half_pole whole_pole move_corner
-  set_columns set_rows set_shift set_grading texture_polychord texture_inset texture_drag texture_one_sided texture_holes)
+  set_columns set_rows set_shift set_grading add_dislocation texture_polychord texture_inset texture_drag texture_one_sided texture_holes)
 edit_figures(torus 4000 move_saddle half_saddle quarter_saddle pin_corners)
 edit_figures(bitorus 4000 align_saddles)
 edit_figures(twisted-bar 4000 straighten_contour texture_fit)

@@ -24,9 +24,18 @@ struct Design_extremum {
   int segment = -1; ///< of a half-pole: its contour edge; `vertex` is then a vertex of the surface near it
 };
 
+/// Where columns of an annulus end or begin, by a point on the surface, so that it outlives its chart: where
+/// contours change, it belongs to the annulus that then has the point.
+struct Design_dislocation {
+  Point at = Point::Zero();
+  int columns = -2; ///< see `Dislocation::columns`
+
+  bool operator==(const Design_dislocation& o) const { return at == o.at && columns == o.columns; }
+};
+
 /// What the user asked of a chart.
 struct Chart_settings {
-  int columns = 0; ///< of an annulus; 0 = free
+  int columns = 0; ///< of an annulus, at its low side; 0 = free
   int rows = 0;
   int corner = -1; ///< of a disc: the sample where its first corner lies; -1 = the best fit
   Texture_placement placement() const {
@@ -39,10 +48,18 @@ struct Chart_settings {
   int shift = 0;
   double grading = 1;
   bool locked = false;
+  std::vector<Design_dislocation> dislocations{}; ///< of an annulus
+
+  /// How many more columns an annulus has at its high side than at its low side.
+  int columns_gained() const {
+    int sum = 0;
+    for (const Design_dislocation& d : dislocations) sum += d.columns;
+    return sum;
+  }
 
   bool operator==(const Chart_settings& o) const {
     return columns == o.columns && rows == o.rows && corner == o.corner && shift == o.shift &&
-           grading == o.grading && locked == o.locked;
+           grading == o.grading && locked == o.locked && dislocations == o.dislocations;
   }
 };
 
@@ -54,7 +71,8 @@ struct Design_chart {
   Placed_texture texture;
   bool edited = false;             ///< the texture is the user's, no longer the regular one of `grid`
   int texture_id = -1;             ///< of an edited texture, for life: also when the chart is cut anew
-  std::array<int, 2> grid{{0, 0}}; ///< columns and rows of a regular texture
+  std::array<int, 2> grid{{0, 0}}; ///< columns, at the low side of an annulus, and rows of the chart's own
+                                   ///< texture
   double height = 0;               ///< of an annulus
   Chart_settings settings;
 };

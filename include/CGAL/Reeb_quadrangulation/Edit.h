@@ -41,6 +41,9 @@ enum class Sharp_curve_kind : signed char {
   cap_of_maximum  ///< it rises to a maximum there
 };
 
+/// A side of an annulus: where the field is lower, where it is higher.
+enum class Chart_side : signed char { both, low, high };
+
 /// What makes the field follow a contour that the user has moved.
 enum class Enforcement : signed char {
   contour, ///< the contour is cut into the surface; the charts beside it are mapped anew (default)
@@ -241,16 +244,40 @@ struct Set_target {
   int quads = 0;
   double edge_length = 0;
 };
-/// Sets the number of columns around an annulus, or of rows across it; 0 = free.
+/// Sets the number of columns around an annulus, or of rows across it; 0 = free. With a side, that side of
+/// the annulus gets the columns while the other keeps what it has: dislocations make up the difference, and
+/// those that are there already make way for others; 0 takes them all away.
 struct Set_columns {
   static constexpr const char* edit_name = "set_columns";
   Surface_point at;
   int columns = 0;
+  Chart_side side = Chart_side::both;
 };
 struct Set_rows {
   static constexpr const char* edit_name = "set_rows";
   Surface_point at;
   int rows = 0;
+};
+/// Ends columns of an annulus near a point, seen from its low side, or begins some: a pair of a vertex of
+/// valence 3 and one of valence 5 for two columns or, in a row, for four or six; see dislocations.h. Where it
+/// meets one of the opposite kind, at most two edges away, the two take away from each other what they have
+/// in common.
+struct Add_dislocation {
+  static constexpr const char* edit_name = "add_dislocation";
+  Surface_point at;
+  int columns = -2; ///< more above than below: even, not 0, from -6 to 6
+};
+/// Takes away the dislocation of a chart that is nearest to a point.
+struct Remove_dislocation {
+  static constexpr const char* edit_name = "remove_dislocation";
+  Surface_point at;
+};
+/// Chooses all counts anew, each contour as its length asks for, and lets dislocations make up the
+/// difference where that pays: in annuli whose counts nobody has set and which have none yet.
+struct Balance_columns {
+  static constexpr const char* edit_name = "balance_columns";
+  int most = 8;     ///< dislocations; where more would pay, columns that end or begin become dearer
+  double price = 8; ///< of a column, see `Sampling_options::column_price`
 };
 /// Turns the upper contour of an annulus by columns eastward, beyond the best fit.
 struct Set_shift {
@@ -393,8 +420,9 @@ using Edit =
                  Move_contour, Move_saddle, Drag_contour, Straighten_contour, Snap_contour, Subdivide_chart,
                  Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
                  Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
-                 Lock_chart, Align_layout, Edit_texture, Drag_vertices, Relax_texture, Snap_vertices,
-                 Reset_texture, Fit_texture, Add_guide, Move_guide, Remove_guide>;
+                 Add_dislocation, Remove_dislocation, Balance_columns, Lock_chart, Align_layout, Edit_texture,
+                 Drag_vertices, Relax_texture, Snap_vertices, Reset_texture, Fit_texture, Add_guide, Move_guide,
+                 Remove_guide>;
 
 /// The name of an edit in recipes and messages: "subdivide_chart".
 const char* name(const Edit& edit);

@@ -41,6 +41,9 @@ struct Adaptive_options {
   /// The length that edges shall have at a point. If given, it decides instead of the curvature: a quad is
   /// subdivided as long as the mean of its edges is longer by the square root of 2.
   std::function<double(const Point&)> size = {};
+  /// The same for each vertex of the projector's surface, linear in triangles; read where `size` is not
+  /// given. A recipe keeps them.
+  std::vector<double> sizes = {};
   /// How the lines from finer to coarser quads go: rather far and straight, so that they make few
   /// extraordinary vertices.
   T_junction_options lines = {15, true, {}};
@@ -59,8 +62,8 @@ struct Adapted_quads {
 /// How much it bends is the greatest angle between the normals of the surface at nine points of the quad,
 /// averaged over its surroundings. The borders of regions are smoothed: corners are filled, and what sticks
 /// out is left. New vertices are put on the surface; relax the mesh afterwards. Fails with
-/// `impossible_request` if an option is out of range. Time: nine closest-point queries a quad and
-/// step, and O(log Q) times `refine_quads()`.
+/// `impossible_request` if an option is out of range, or a size is not positive. Time: nine closest-point
+/// queries a quad and step, and O(log Q) times `refine_quads()`.
 Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector& projector,
                                   const Adaptive_options& options = {});
 

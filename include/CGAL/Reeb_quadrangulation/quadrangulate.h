@@ -48,6 +48,10 @@ struct Quadrangulation_options {
   /// The search takes at most so many extraordinary vertices more than the suggestion has; negative: no limit
   /// but their price.
   int extra_vertices = -1;
+  /// Columns may end or begin inside of charts, in at most so many dislocations, where contours then get
+  /// counts nearer to their lengths and quads sizes that are more alike; see `Balance_columns`. Extraordinary
+  /// vertices are then not brought in line.
+  int dislocations = 0;
   /// If not empty, these replace the suggestion (not the boundary loops' constants).
   std::vector<Placed_extremum> extrema;
   /// If not empty: a function of the user's own, a value for each vertex of the surface, whose extrema and

@@ -12,15 +12,16 @@
 /// Sampling: how many quad edges lie on each contour edge, and how many rows of quads in each chart.
 ///
 /// The problem is one of integers alone. Every contour edge `e` has one count `n_e`, shared by the charts on
-/// its two sides; an annulus has as many columns on its low walk as on its high walk (conservation). Counts
-/// want to be `i_e = length / h`. A quad that is `r = n_e / i_e` times too narrow costs `r + 1 / r - 2`:
-/// twice as many columns as wanted cost as much as half as many. The rows of quads that go by a contour edge
-/// reach half across the charts beside it; with `w_e` of them (at least one) the sum of `w_e (n_e - i_e)^2 /
-/// n_e` is minimised. When every count is carried from a chart to the one above it, conservation says that
-/// counts are a flow on the Reeb graph, and the minimum is found exactly by scaled successive shortest paths
-/// (Ahuja, Magnanti, Orlin, "Network Flows", 1993, sec. 14.5). Layouts that are not a network (an edge with
-/// two different charts on the same level, equalities asked for by the user) are solved in the lattice of
-/// integer solutions; feasibility is then decided by an exact linear program.
+/// its two sides; an annulus has as many columns on its low walk as on its high walk (conservation), but for
+/// those that it is said to gain. Counts want to be `i_e = length / h`. A quad that is `r = n_e / i_e` times
+/// too narrow costs `r + 1 / r - 2`: twice as many columns as wanted cost as much as half as many. The rows
+/// of quads that go by a contour edge reach half across the charts beside it; with `w_e` of them (at least
+/// one) the sum of `w_e (n_e - i_e)^2 / n_e` is minimised. When every count is carried from a chart to the
+/// one above it, conservation says that counts are a flow on the Reeb graph, and the minimum is found exactly
+/// by scaled successive shortest paths (Ahuja, Magnanti, Orlin, "Network Flows", 1993, sec. 14.5). Layouts
+/// that are not a network (an edge with two different charts on the same level, equalities asked for by the
+/// user) are solved in the lattice of integer solutions; feasibility is then decided by an exact linear
+/// program.
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -42,7 +43,12 @@ struct Sampling_chart {
   std::vector<int> high;  ///< edges of the upper walk; of a disc around a minimum, its boundary
   double height = 0;      ///< mean length across, from walk to walk (annuli only)
   int locked_rows = 0;    ///< rows to keep, or 0 (annuli only)
-  int locked_columns = 0; ///< columns to keep, or 0 (annuli only)
+  int locked_columns = 0; ///< columns to keep at the low walk, or 0 (annuli only)
+  int fewest_rows = 2;    ///< (annuli only)
+  /// Columns that the high walk has more than the low one; even (annuli only).
+  int columns_gained = 0;
+  /// How far the sampling may go from that, in either direction; even (annuli only).
+  int free_gain = 0;
   /// A disc that is a rectangle: the entries of its boundary where its four sides begin; opposite sides get
   /// equal sums.
   std::array<int, 4> corners{{-1, -1, -1, -1}};
@@ -63,12 +69,14 @@ struct Sampling_problem {
   std::vector<Sampling_equality> equalities;
 };
 
-/// A solution. An annulus has `grid = {columns, rows}`, a disc `grid = {a, b}` with `2 (a + b)` edges around
-/// it and `a - b` zero or one, or its first two sides if it is a rectangle; either has `grid[0] * grid[1]`
-/// quads.
+/// A solution. An annulus has `grid = {columns at the low walk, rows}`, a disc `grid = {a, b}` with `2 (a +
+/// b)` edges around it and `a - b` zero or one, or its first two sides if it is a rectangle; either has
+/// `grid[0] * grid[1]` quads, if no columns are gained, else about half as many more as all columns gained
+/// would have.
 struct Sampling {
   std::vector<int> counts;              ///< one for each edge
   std::vector<std::array<int, 2>> grid; ///< one for each chart
+  std::vector<int> gained;              ///< one for each chart: columns more at the high walk
   std::int64_t quads = 0;               ///< in all charts
   double edge_length = 0;               ///< the h that was used
   double worst_ratio = 1;               ///< largest of `n_e / (length / h)` and its inverse over all edges
@@ -84,6 +92,10 @@ struct Sampling_options {
   std::vector<int> previous_counts;
   std::vector<int> previous_rows;
   double previous_edge_length = 0; ///< its `edge_length`: where `sample_for_quads` begins; 0 = none
+  /// What a column costs that an annulus gains or loses beyond `columns_gained`, where `free_gain` permits:
+  /// as much as so many rows of quads all of which are by the square root of their number too many or too
+  /// few.
+  double column_price = 8;
   /// A count is held until the unhindered optimum is about this many steps of the quad mesh away from it.
   double stability = 1;
 };

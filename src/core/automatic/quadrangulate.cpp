@@ -95,6 +95,8 @@ Result<void> check(const Quadrangulation_options& options) {
   for (const Placed_extremum& e : options.extrema)
     if (!e.point.allFinite()) return impossible("a placed extremum is not finite");
   if (Result<void> fine = check(options.features); !fine) return fine;
+  if (options.dislocations < 0 || options.dislocations > 10000)
+    return impossible("there are 0 to 10,000 dislocations");
   if (options.threads < 0) return impossible("the number of threads is negative");
   if (!(options.budget >= 0) || !std::isfinite(options.budget))
     return impossible("the budget of the search is a number of seconds");
@@ -193,7 +195,10 @@ Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
   Recipe recipe;
   recipe.options = editor_options(options);
   recipe.edits.push_back(edit_of_extrema(options));
-  if (options.align) recipe.edits.push_back(alignments(options.effort).front());
+  if (options.dislocations > 0)
+    recipe.edits.push_back(Balance_columns{options.dislocations});
+  else if (options.align)
+    recipe.edits.push_back(alignments(options.effort).front());
   for (const Guide& guide : options.guides) recipe.edits.push_back(Add_guide{guide});
   recipe.finish = finish_options(options);
   return recipe;
@@ -357,12 +362,17 @@ Result<Made> make(Editor& editor, Recipe& recipe, const Quadrangulation_options&
   };
   recipe.edits.erase(std::remove_if(recipe.edits.begin(), recipe.edits.end(), comes_later),
                      recipe.edits.end());
-  for (const Edit& edit : recipe.edits) {
-    const Result<Edit_report> done = editor.apply(edit, &observer);
-    if (!done) return done.error();
-    made.collapsed += done->collapsed_charts;
+  for (std::size_t i = 0; i < recipe.edits.size();) {
+    const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
+    const bool can_do_without = std::holds_alternative<Balance_columns>(recipe.edits[i]);
+    if (!done && (!can_do_without || done.error().code == Error_code::cancelled)) return done.error();
+    if (done) made.collapsed += done->collapsed_charts;
+    if (done)
+      ++i;
+    else
+      recipe.edits.erase(recipe.edits.begin() + std::ptrdiff_t(i));
   }
-  if (options.align)
+  if (options.align && options.dislocations == 0)
     if (Result<void> done = align(editor, recipe, options, made, observer); !done) return done.error();
   if (Result<void> done = add_guides(editor, recipe, options, observer); !done) return done.error();
   Result<Finished_design> finished = options.given_features

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From contours to textures: what is new in a draft is mapped, sampled and filled.
+#include "design/dislocation_places.h"
 #include "design/draft.h"
 #include "design/pole_texture.h"
 
@@ -92,6 +93,30 @@ private:
           if (const auto replaced = m_draft.replaced.find(e.edge); replaced != m_draft.replaced.end())
             m_kept_counts[e.edge] = m_before.samples.counts[replaced->second];
     }
+    inherit_dislocations();
+  }
+
+  static int fewest_rows(const Chart_settings& settings) {
+    int most = 1;
+    for (const Design_dislocation& d : settings.dislocations) most = std::max(most, std::abs(d.columns) / 2);
+    return rows_for_dislocations(most);
+  }
+
+  // Where contours have changed, dislocations stay in their places on the surface. A cap takes in all
+  // columns, and has none.
+  void inherit_dislocations() {
+    std::vector<char> stays(m_before.charts.size(), 0);
+    for (int c = 0; c < number_of_charts(); ++c)
+      if (m_draft.origin(c) >= 0) stays[m_draft.origin(c)] = 1;
+    for (std::size_t i = 0; i < stays.size(); ++i) {
+      const auto settings = m_draft.settings.find(m_before.charts[i]->id);
+      if (stays[i] || settings == m_draft.settings.end()) continue;
+      for (const Design_dislocation& d : settings->second.dislocations) {
+        const int c = m_draft.chart_point_at(d.at).chart;
+        if (c >= 0 && m_draft.origin(c) < 0 && m_draft.chart(c).kind == Chart_kind::annulus)
+          m_settings[c].dislocations.push_back(d);
+      }
+    }
   }
 
   Result<void> keep_locked() const {
@@ -133,11 +158,9 @@ private:
     Layout_sampling_problem layout = sampling_problem(points, m_draft.network, m_draft.atlas(), m_heights);
     Sampling_options options;
     add_wishes(layout, options);
-    const double h = m_draft.edge_length;
-    Result<Sampling> sampling = m_draft.resample && m_draft.target_quads > 0
-                                    ? sample_for_quads(layout.problem, m_draft.target_quads)
-                                    : sample_layout(layout.problem, h, options);
+    Result<Sampling> sampling = choose_counts(layout.problem, options);
     if (!sampling) return sampling.error();
+    for (auto& [chart, places] : m_places) m_settings[chart].dislocations = places.place();
     if (Result<void> few = check_number(*sampling); !few) return few.error();
     m_design.counts = {sampling->quads, sampling->target_met, sampling->worst_ratio,
                        sampling->worst_edge < 0 ? -1 : layout.edges[std::size_t(sampling->worst_edge)]};
@@ -147,6 +170,56 @@ private:
       m_design.samples.counts[layout.edges[i]] = sampling->counts[i];
     m_grid = sampling->grid;
     return {};
+  }
+
+  Result<Sampling> choose_counts(const Sampling_problem& problem, const Sampling_options& options) {
+    if (m_draft.most_dislocations == 0) return sample_once(problem, m_draft.target_quads, options);
+    Result<Sampling> sampling = sample_with_dislocations(problem, m_draft.target_quads, options);
+    if (!sampling || !m_draft.resample || m_draft.target_quads == 0) return sampling;
+    const double off = double(sampling->quads) / m_draft.target_quads;
+    if (std::abs(off - 1) < 0.02) return sampling;
+    // Where columns begin or end is not known before.
+    return sample_with_dislocations(problem, std::max(1, int(m_draft.target_quads / off)), options);
+  }
+
+  Result<Sampling> sample_once(const Sampling_problem& problem, int quads,
+                               const Sampling_options& options) const {
+    Sampling_options afresh;
+    afresh.column_price = options.column_price;
+    return m_draft.resample && m_draft.target_quads > 0
+               ? sample_for_quads(problem, quads, afresh)
+               : sample_layout(problem, m_draft.edge_length, options);
+  }
+
+  // The dearer dislocations are the fewer there are, and none in the end.
+  Result<Sampling> sample_with_dislocations(const Sampling_problem& problem, int quads,
+                                            Sampling_options options) {
+    for (options.column_price = m_draft.column_price;; options.column_price *= 1.5) {
+      Result<Sampling> sampling = sample_once(problem, quads, options);
+      if (!sampling) return sampling;
+      m_places.clear();
+      int number = 0;
+      for (int c = 0; c < number_of_charts(); ++c) {
+        if (problem.charts[c].free_gain == 0) continue;
+        Dislocation_places places(*old_chart(c), sampling->grid[c], sampling->edge_length);
+        number += places.choose_rows(sampling->gained[c], price_of_end * options.column_price);
+        sampling->quads += places.quads() - std::int64_t(sampling->grid[c][0] + sampling->gained[c] / 2) *
+                                                sampling->grid[c][1];
+        m_places.emplace(c, std::move(places));
+      }
+      if (number <= m_draft.most_dislocations || options.column_price > 1e12) return sampling;
+    }
+  }
+
+  // How many columns an annulus may gain or lose, beside those that somebody has asked for: two dislocations
+  // and more, if it is not thin, and as many as it has place for.
+  int free_gain(int c) const {
+    const Design_chart* old = old_chart(c);
+    const Chart_settings& settings = m_settings[c];
+    if (m_draft.most_dislocations == 0 || !old || old->edited || settings.locked || settings.columns > 0 ||
+        !settings.dislocations.empty() || old->grid[1] < 4)
+      return 0;
+    return 2 * std::max(1, std::min(old->grid[0] / 4, (old->grid[1] - 2) * old->grid[0] / 24));
   }
 
   // Layouts in which one count forces others may need many more quads than the edge length asks for. Where
@@ -182,6 +255,9 @@ private:
       if (chart.kind == Sampling_chart::Kind::annulus) {
         chart.locked_rows = m_settings[c].rows;
         chart.locked_columns = m_settings[c].columns;
+        chart.columns_gained = m_settings[c].columns_gained();
+        chart.free_gain = free_gain(c);
+        chart.fewest_rows = fewest_rows(m_settings[c]);
       }
       if (!m_settings[c].locked || !old_chart(c)) continue;
       chart.locked_columns = 0;
@@ -247,6 +323,8 @@ private:
     }
     Chart_parameterization solved = map(c);
     Texture_placement placement = m_settings[c].placement();
+    for (const Design_dislocation& d : m_settings[c].dislocations)
+      placement.dislocations.push_back({m_draft.chart_point_at(d.at, c).location, d.columns});
     std::array<int, 2> grid = m_grid[c];
     const std::vector<int> corners = rectangle_corners(m_draft.network, chart);
     if (!corners.empty()) {
@@ -259,12 +337,17 @@ private:
         chart.kind == Chart_kind::annulus
             ? place_annulus(chart, m_design.samples, grid[1], solved, m_draft.options().textures, placement)
             : place_disc(chart, m_design.samples, grid[0], grid[1], solved, disc_maker(chart), placement);
+    if (!placed && !placement.dislocations.empty() && placed.error().code == Error_code::impossible_request)
+      return refuse("a chart has no room for its dislocations", placed.error().message, Element_kind::chart,
+                    m_ids[c]);
     if (!placed) return placed.error();
     made->texture = std::move(*placed);
     made->map = std::make_shared<const Chart_parameterization>(std::move(solved));
     m_design.charts[c] = std::move(made);
     return {};
   }
+
+  static constexpr double price_of_end = 2.5; // of a dislocation's end, in columns that begin or end
 
   Draft& m_draft;
   const Design& m_before;
@@ -274,6 +357,7 @@ private:
   std::vector<double> m_heights;
   std::vector<std::array<int, 2>> m_grid;
   std::vector<const Design_chart*> m_predecessors; ///< per chart, whose edited texture it takes over, or null
+  std::map<int, Dislocation_places> m_places;      ///< per chart, of dislocations that are added
   std::map<int, int> m_kept_counts;                ///< of contour edges that took the place of others
 };
 

@@ -74,6 +74,8 @@ public:
   double edge_length = 0;
   bool resample = false;        ///< choose all counts anew for the target, not near the old ones
   std::vector<int> counts;      ///< per contour edge, to be taken as they are; empty = chosen
+  int most_dislocations = 0;    ///< that may be added where counts then come nearer to lengths
+  double column_price = 8;      ///< of these, see `Sampling_options`
   std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
   std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
   std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
@@ -152,7 +154,8 @@ private:
   std::vector<char> m_was_cut; // per contour edge: whether the atlas knows it
 };
 
-bool has_edited_texture(const Design& design);
+/// Whether quads of neighbouring charts may meet otherwise than those of regular textures.
+bool has_irregular_texture(const Design& design);
 
 /// The chart before whose contours chart `c` has, but for those that were replaced, and which has an edited
 /// texture; or null.

@@ -19,7 +19,7 @@ int root(std::vector<int>& parent, int i) {
 }
 
 bool is_regular(const Design_chart& chart) {
-  return !chart.edited && chart.texture.texture.holes.empty() &&
+  return !chart.edited && chart.settings.dislocations.empty() && chart.texture.texture.holes.empty() &&
          int(chart.texture.texture.quads.size()) == chart.grid[0] * chart.grid[1];
 }
 

@@ -9,9 +9,10 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-bool has_edited_texture(const Design& design) {
-  return std::any_of(design.charts.begin(), design.charts.end(),
-                     [](const std::shared_ptr<const Design_chart>& chart) { return chart->edited; });
+bool has_irregular_texture(const Design& design) {
+  return std::any_of(design.charts.begin(), design.charts.end(), [](const auto& chart) {
+    return chart->edited || !chart->settings.dislocations.empty();
+  });
 }
 
 Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
@@ -35,7 +36,7 @@ Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
                   Element_kind::chart, design.charts[c]->id);
   }
   if (stitched && !design.guides.empty()) stitched->guides = guide_lines(*projector, design);
-  if (!stitched || !has_edited_texture(design)) return stitched;
+  if (!stitched || !has_irregular_texture(design)) return stitched;
   if (const int q = internal::find_fault(stitched->mesh.quads, int(stitched->mesh.points.size())); q >= 0)
     return refuse("quads of neighbouring charts would be folded onto each other", {}, Element_kind::chart,
                   design.charts[std::size_t(stitched->chart_of_quad[std::size_t(q)])]->id);

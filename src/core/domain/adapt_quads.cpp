@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/quad_connectivity.h"
+#include "surface/size_at.h"
+
 #include <CGAL/Reeb_quadrangulation/adapt_quads.h>
 
 #include <CGAL/assertions.h>
@@ -124,12 +126,12 @@ double turn(const Quad_mesh& mesh, const Quad& q, const Surface_projector& proje
   return std::acos(std::max(-1.0, least));
 }
 
-std::vector<char> large_quads(const Quad_mesh& mesh, const Adaptive_options& options) {
+std::vector<char> large_quads(const Quad_mesh& mesh, const std::function<double(const Point&)>& size) {
   std::vector<char> marked;
   for (const Quad& q : mesh.quads) {
     double length = 0;
     for (int i = 0; i < 4; ++i) length += 0.25 * (mesh.points[q[(i + 1) % 4]] - mesh.points[q[i]]).norm();
-    marked.push_back(length > std::sqrt(2.0) * options.size(inside(mesh, q, 0.5, 0.5)));
+    marked.push_back(length > std::sqrt(2.0) * size(inside(mesh, q, 0.5, 0.5)));
   }
   return marked;
 }
@@ -248,6 +250,12 @@ Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector
     return make_error(Error_code::impossible_request, "the ratio of an adaptive mesh is 1, 2, 4 or 8");
   if (options.quads < 0 || !(options.flat >= 0))
     return make_error(Error_code::impossible_request, "a number of quads or an angle is negative");
+  std::function<double(const Point&)> size = options.size;
+  if (!size && !options.sizes.empty()) {
+    if (Result<void> fine = internal::check_sizes(projector.surface(), options.sizes); !fine)
+      return fine.error();
+    size = internal::Size_at(projector, options.sizes);
+  }
   double quads = double(mesh.quads.size());
   const double factor = options.quads == 0 ? 2
                                            : std::pow(options.quads / std::max(1.0, quads),
@@ -259,10 +267,9 @@ Result<Adapted_quads> adapt_quads(const Quad_mesh& mesh, const Surface_projector
     const Regions regions(out.mesh);
     quads *= factor;
     Result<Refinement_step> done =
-        options.size
-            ? refine(out.mesh, regions.smoothed(large_quads(out.mesh, options)), options.lines)
-            : refine_first(out.mesh, bent_quads(out.mesh, projector, options.flat, candidates, regions),
-                           regions, quads, options.lines);
+        size ? refine(out.mesh, regions.smoothed(large_quads(out.mesh, size)), options.lines)
+             : refine_first(out.mesh, bent_quads(out.mesh, projector, options.flat, candidates, regions),
+                            regions, quads, options.lines);
     if (!done) return done.error();
     const std::vector<char>& marked = done->marked;
     Refined_quads* const refined = &done->refined;

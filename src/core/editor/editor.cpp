@@ -117,7 +117,7 @@ struct Editor::Implementation {
     const double followed = draft.followed;
     const std::string& remark = draft.remark;
     const bool may_fail =
-        has_edited_texture(*next) || has_whole_pole(*next) || has_own_textures(options.textures);
+        has_irregular_texture(*next) || has_whole_pole(*next) || has_own_textures(options.textures);
     if (!may_fail) return Changed{std::move(*next), {}, collapsed, followed, remark};
     Result<Stitched_mesh> stitched = stitch_design(working, projector, *next);
     if (!stitched) return stitched.error();

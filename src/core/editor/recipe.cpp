@@ -131,6 +131,18 @@ template <class F> void fields(F& f, Set_target& e) {
 template <class F> void fields(F& f, Set_columns& e) {
   f("at", e.at);
   f("columns", e.columns);
+  f.optional("side", e.side);
+}
+template <class F> void fields(F& f, Add_dislocation& e) {
+  f("at", e.at);
+  f.optional("columns", e.columns);
+}
+template <class F> void fields(F& f, Balance_columns& e) {
+  f.optional("most", e.most);
+  f.optional("price", e.price);
+}
+template <class F> void fields(F& f, Remove_dislocation& e) {
+  f("at", e.at);
 }
 template <class F> void fields(F& f, Set_rows& e) {
   f("at", e.at);
@@ -236,6 +248,7 @@ template <class F> void fields(F& f, Finish_options& o) {
 
 template <class E> struct Names;
 template <> struct Names<Edit_scope> { static constexpr const char* of[] = {"chart", "surface"}; };
+template <> struct Names<Chart_side> { static constexpr const char* of[] = {"both", "low", "high"}; };
 template <> struct Names<Enforcement> { static constexpr const char* of[] = {"contour", "field"}; };
 template <> struct Names<Pole_kind> { static constexpr const char* of[] = {"whole", "half", "quarter"}; };
 template <> struct Names<Saddle_kind> { static constexpr const char* of[] = {"half", "quarter"}; };

@@ -10,30 +10,29 @@ namespace {
 
 constexpr int most_steps = 100000; // of counts that a user may ask for
 
-// The settings of the chart at a point, if it is of the kind that they are for.
-Result<Chart_settings*> settings_at(Draft& draft, const Surface_point& at, bool annulus) {
-  const int c = draft.chart_at(at);
-  if (c < 0) return refuse("there is no chart");
-  const Design_chart& chart = *draft.before().charts[draft.origin(c)];
-  if (annulus && chart.chart->kind != Chart_kind::annulus)
-    return refuse("a disc has no columns and rows of its own", {}, Element_kind::chart, chart.id);
-  return &draft.settings[chart.id];
-}
-
 Error edited_texture(const Draft& draft, int c) {
   return refuse("the chart's texture has been edited", "reset it first", Element_kind::chart,
                 draft.before().charts[draft.origin(c)]->id);
 }
 
 Result<Chart_settings*> unlocked_settings_at(Draft& draft, const Surface_point& at) {
-  Result<Chart_settings*> settings = settings_at(draft, at, true);
-  if (settings && (*settings)->locked) return refuse("the edit would change a locked chart");
-  if (const int c = draft.chart_at(at); settings && draft.before().charts[draft.origin(c)]->edited)
-    return edited_texture(draft, c);
-  return settings;
+  const Result<int> c = free_annulus_at(draft, at);
+  if (!c) return c.error();
+  return &draft.settings[draft.before().charts[draft.origin(*c)]->id];
 }
 
 } // namespace
+
+Result<int> free_annulus_at(const Draft& draft, const Surface_point& at) {
+  const int c = draft.chart_at(at);
+  if (c < 0) return refuse("there is no chart");
+  const Design_chart& chart = *draft.before().charts[draft.origin(c)];
+  if (chart.chart->kind != Chart_kind::annulus)
+    return refuse("a disc has no columns and rows of its own", {}, Element_kind::chart, chart.id);
+  if (chart.settings.locked) return refuse("the edit would change a locked chart");
+  if (chart.edited) return edited_texture(draft, c);
+  return c;
+}
 
 Result<void> apply_edit(Draft& draft, const Set_target& edit) {
   if ((edit.quads > 0) == (edit.edge_length > 0))
@@ -52,6 +51,7 @@ Result<void> apply_edit(Draft& draft, const Set_columns& edit) {
   if (!settings) return settings.error();
   if (edit.columns != 0 && (edit.columns < 4 || edit.columns % 2 != 0 || edit.columns > most_steps))
     return make_error(Error_code::impossible_request, "the number of columns is even and at least 4, or 0");
+  if (edit.side != Chart_side::both) return set_columns_of_side(draft, edit);
   (*settings)->columns = edit.columns;
   return {};
 }
@@ -85,9 +85,9 @@ Result<void> apply_edit(Draft& draft, const Set_grading& edit) {
 }
 
 Result<void> apply_edit(Draft& draft, const Lock_chart& edit) {
-  Result<Chart_settings*> settings = settings_at(draft, edit.at, false);
-  if (!settings) return settings.error();
-  (*settings)->locked = edit.locked;
+  const int c = draft.chart_at(edit.at);
+  if (c < 0) return refuse("there is no chart");
+  draft.settings[draft.before().charts[draft.origin(c)]->id].locked = edit.locked;
   return {};
 }
 

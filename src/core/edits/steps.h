@@ -38,6 +38,9 @@ Result<void> apply_edit(Draft& draft, const Set_columns& edit);
 Result<void> apply_edit(Draft& draft, const Set_rows& edit);
 Result<void> apply_edit(Draft& draft, const Set_shift& edit);
 Result<void> apply_edit(Draft& draft, const Set_grading& edit);
+Result<void> apply_edit(Draft& draft, const Add_dislocation& edit);
+Result<void> apply_edit(Draft& draft, const Remove_dislocation& edit);
+Result<void> apply_edit(Draft& draft, const Balance_columns& edit);
 Result<void> apply_edit(Draft& draft, const Lock_chart& edit);
 Result<void> apply_edit(Draft& draft, const Align_layout& edit);
 Result<void> apply_edit(Draft& draft, const Reset_texture& edit);
@@ -57,6 +60,13 @@ Result<Design> with_texture(const Draft& draft, const Fit_texture& edit);
 
 /// \name Parts of edits
 /// @{
+
+/// The annulus at a point, if an edit may change its counts: it is not locked, and its texture the design's.
+Result<int> free_annulus_at(const Draft& draft, const Surface_point& at);
+
+/// Gives one side of an annulus its columns, and the chart dislocations for the difference. \pre The number
+/// is one of columns, or 0, and the edit has a side.
+Result<void> set_columns_of_side(Draft& draft, const Set_columns& edit);
 
 /// One contour edge of two: a ends where b begins.
 Contour_edge joined(Contour_edge a, const Contour_edge& b);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,12 +24,14 @@ struct Count_cost {
   double linear = 0;    ///< times n
   double cap = 0;       ///< times the quads of a cap with n edges around it
   int previous = 0;
+  int most = std::numeric_limits<int>::max(); ///< more cost as good as everything
 
   double operator()(std::int64_t n) const {
     const double m = double(std::max<std::int64_t>(n, 1)), d = m - ideal;
     // Below one it goes on as a line, which keeps it convex.
     double cost = weight * (d * d / m + (m - double(n)) * ideal * ideal) + linear * double(n);
     if (stability > 0) cost += stability * std::abs(double(n - previous));
+    if (n > most) cost += 1e9 * double(n - most);
     if (cap > 0) cost += cap * double((n / 4) * (n / 2 - n / 4));
     return cost;
   }

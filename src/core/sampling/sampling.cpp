@@ -22,7 +22,6 @@ using internal::Count_row;
 using internal::Count_variable;
 using Kind = Sampling_chart::Kind;
 
-constexpr int fewest_rows = 2;
 constexpr double largest_count = 1e8;
 
 // What the counts are to be: near length / h, near the previous counts, and few (each quad costs
@@ -33,7 +32,7 @@ struct Wish {
 };
 
 int fewest_rows_of(const Sampling_chart& c) {
-  return c.locked_rows > 0 ? c.locked_rows : fewest_rows;
+  return c.locked_rows > 0 ? c.locked_rows : c.fewest_rows;
 }
 
 Result<void> check(const Sampling_problem& problem, const Sampling_options& options) {
@@ -57,6 +56,8 @@ Result<void> check(const Sampling_problem& problem, const Sampling_options& opti
                         Element_kind::contour, e);
   }
   for (const Sampling_chart& chart : problem.charts) {
+    CGAL_precondition(chart.fewest_rows >= 2 && chart.columns_gained % 2 == 0);
+    CGAL_precondition(chart.free_gain >= 0 && chart.free_gain % 2 == 0);
     CGAL_precondition(chart.kind == Kind::disc ? chart.low.empty() != chart.high.empty()
                                                : !chart.low.empty() && !chart.high.empty());
     for (const std::vector<int>* walk : {&chart.low, &chart.high})
@@ -140,6 +141,21 @@ void add_row(Count_row row, Count_problem& counts) {
   if (!row.terms.empty()) counts.rows.push_back(std::move(row));
 }
 
+// As many columns at the high walk of an annulus as at the low one, and those that it gains.
+Count_row columns_row(const Sampling_chart& chart, int c, double price, Count_problem& counts) {
+  Count_row columns = row(chart.low, chart.high, c);
+  if (chart.columns_gained == 0 && chart.free_gain == 0) return columns;
+  Count_variable gained;
+  gained.minimum = chart.columns_gained - chart.free_gain;
+  gained.fixed = chart.free_gain == 0;
+  gained.cost.stability = price;
+  gained.cost.previous = chart.columns_gained;
+  gained.cost.most = chart.columns_gained + chart.free_gain;
+  columns.terms.emplace_back(int(counts.variables.size()), 1);
+  counts.variables.push_back(gained);
+  return columns;
+}
+
 // The columns of an annulus as an unknown that has only one value.
 void lock_columns(const Sampling_chart& chart, int c, Count_problem& counts) {
   if (chart.low.size() == 1) {
@@ -197,7 +213,7 @@ Count_problem count_problem(const Sampling_problem& problem, const Wish& wish,
     } else if (chart.kind == Kind::disc) {
       add_disc(problem, int(c), counts);
     } else {
-      counts.rows.push_back(row(chart.low, chart.high, int(c)));
+      counts.rows.push_back(columns_row(chart, int(c), options.column_price, counts));
       if (chart.locked_columns > 0) lock_columns(chart, int(c), counts);
     }
   }
@@ -215,17 +231,22 @@ Result<std::vector<int>> solve_counts(const Sampling_problem& problem, const Wis
   return solution;
 }
 
-std::int64_t total(const std::vector<std::array<int, 2>>& grid) {
+// Columns that a chart gains, it has in half of its rows.
+int mean_columns(const Sampling& s, std::size_t chart) {
+  return s.grid[chart][0] + s.gained[chart] / 2;
+}
+
+std::int64_t total(const Sampling& s) {
   std::int64_t sum = 0;
-  for (const auto& g : grid) sum += std::int64_t(g[0]) * g[1];
+  for (std::size_t c = 0; c < s.grid.size(); ++c) sum += std::int64_t(mean_columns(s, c)) * s.grid[c][1];
   return sum;
 }
 
 int rows_for(const Sampling_chart& chart, double h, int previous, double stability) {
   if (chart.locked_rows > 0) return chart.locked_rows;
   const double ideal = std::min(chart.height / h, largest_count);
-  if (previous >= fewest_rows && std::abs(previous - ideal) <= 0.5 + 0.5 * stability) return previous;
-  return std::max(fewest_rows, int(std::floor(ideal + 0.5)));
+  if (previous >= chart.fewest_rows && std::abs(previous - ideal) <= 0.5 + 0.5 * stability) return previous;
+  return std::max(chart.fewest_rows, int(std::floor(ideal + 0.5)));
 }
 
 // Completes counts to a sampling: rows, caps, totals.
@@ -239,6 +260,7 @@ Sampling complete(const Sampling_problem& problem, std::vector<int> counts, doub
     const bool disc = chart.kind == Kind::disc;
     int columns = 0;
     for (int e : disc ? boundary(chart) : chart.low) columns += result.counts[e];
+    result.gained.push_back(disc ? 0 : sum(result.counts, chart.high) - columns);
     const int previous = options.previous_rows.empty() ? 0 : options.previous_rows[c];
     if (disc && chart.corners[0] >= 0)
       result.grid.push_back(
@@ -248,7 +270,7 @@ Sampling complete(const Sampling_problem& problem, std::vector<int> counts, doub
     else
       result.grid.push_back({columns, rows_for(chart, h, previous, options.stability)});
   }
-  result.quads = total(result.grid);
+  result.quads = total(result);
   for (std::size_t e = 0; e < problem.edges.size(); ++e) {
     const double ratio = result.counts[e] * h / problem.edges[e].length;
     const double worse = std::max(ratio, 1 / ratio);
@@ -363,7 +385,7 @@ private:
       const auto grid = s->grid;
       m_best = complete(m_problem, std::move(s->counts), natural, m_options);
       m_best.grid = grid;
-      m_best.quads = total(grid);
+      m_best.quads = total(m_best);
     }
     tune_rows(m_best);
     return {};
@@ -392,8 +414,8 @@ private:
       for (std::size_t c = 0; c < m_problem.charts.size(); ++c) {
         const Sampling_chart& chart = m_problem.charts[c];
         const int rows = s.grid[c][1];
-        if (chart.kind == Kind::disc || chart.locked_rows > 0 || rows + step < fewest_rows) continue;
-        if (s.grid[c][0] >= 2 * off(s)) continue;
+        if (chart.kind == Kind::disc || chart.locked_rows > 0 || rows + step < chart.fewest_rows) continue;
+        if (mean_columns(s, c) >= 2 * off(s)) continue;
         const double ideal = chart.height / s.edge_length;
         if (std::abs(rows + step - ideal) > std::max(1.0, 0.25 * ideal) && (rows + step - ideal) * step > 0)
           continue;
@@ -404,7 +426,7 @@ private:
       }
       if (chosen < 0) return;
       s.grid[chosen][1] += step;
-      s.quads += step * s.grid[chosen][0];
+      s.quads += step * mean_columns(s, std::size_t(chosen));
     }
   }
 
@@ -436,7 +458,7 @@ Result<Sampling> fewest_quads(const Sampling_problem& problem) {
   const auto grid = result.grid;
   result = complete(problem, std::move(*counts), std::sqrt(rough_area(problem) / double(result.quads)), {});
   result.grid = grid;
-  result.quads = result.fewest = total(grid);
+  result.quads = result.fewest = total(result);
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include "base/strictly_increasing.h"
 
+#include <CGAL/Reeb_quadrangulation/chart_texture_edit.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -66,9 +68,33 @@ std::array<std::vector<double>, 2> places_around(const Chart& chart, const Conto
 
 double best_turn(const Chart& chart, const Contour_samples& samples, const Chart_parameterization& map) {
   const std::array<double, 2> mean = mean_turns(chart, map, places_around(chart, samples));
-  const int columns = int(std::lround(walk_coordinates(chart.walks[0], samples).back()));
+  const int columns = int(std::lround(walk_coordinates(chart.walks[1], samples).back()));
   return columns * (mean[0] - mean[1]);
 }
+
+namespace {
+
+constexpr int smoothed_rings = 6, smoothing_steps = 10; // around dislocations
+
+Result<void> place_dislocations(const Chart& chart, const Chart_parameterization& map, int columns,
+                                const std::vector<double>& levels, const Texture_placement& placement,
+                                Placed_texture& placed) {
+  std::vector<Dislocation> dislocations;
+  for (const Texture_placement::Dislocation_at& d : placement.dislocations) {
+    const Eigen::Vector2d p = plane_point(chart, map, d.at);
+    dislocations.push_back({p.x(), p.y(), d.columns});
+  }
+  Result<Dislocated_texture> made = dislocated_annulus_texture(columns, levels, dislocations);
+  if (!made) return made.error();
+  placed.texture = std::move(made->texture);
+  placed.location = locate(chart, map, placed.texture.v, placed.texture.u);
+  std::vector<int> ends;
+  for (const std::array<int, 2>& pair : made->ends) ends.insert(ends.end(), pair.begin(), pair.end());
+  smooth_around(ends, smoothed_rings, smoothing_steps, chart, map, placed);
+  return {};
+}
+
+} // namespace
 
 Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& samples, int rows,
                                      Chart_parameterization& map, const Texture_maker& maker,
@@ -77,19 +103,26 @@ Result<Placed_texture> place_annulus(const Chart& chart, const Contour_samples& 
   const std::array<double, 2> mean = mean_turns(chart, map, x);
   Placed_texture placed;
   const int columns = int(std::lround(walk_coordinates(chart.walks[0], samples).back()));
-  const int shift = int(std::lround(columns * (mean[0] - mean[1]))) + placement.shift;
-  for (double& value : x[1]) value += double(shift) / columns;
+  const int above = int(std::lround(walk_coordinates(chart.walks[1], samples).back()));
+  const int shift = int(std::lround(above * (mean[0] - mean[1]))) + placement.shift;
+  for (double& value : x[1]) value += double(shift) / above;
   if (Result<void> solved = map.solve_columns(chart, x[0], x[1]); !solved) return solved.error();
   const std::vector<double> levels =
       maker.levels ? maker.levels(map.profile(), rows) : graded_rows(map.profile(), rows, placement.grading);
   if (maker.levels && !are_levels(levels))
     return make_error(Error_code::impossible_request,
                       "the levels of a chart's rows do not increase from 0 to 1 in two steps or more");
+  placed.offset = {0, shift};
+  if (!placement.dislocations.empty()) {
+    if (Result<void> done = place_dislocations(chart, map, columns, levels, placement, placed); !done)
+      return done.error();
+    CGAL_postcondition(int(placed.texture.sides[1].size()) == above);
+    return placed;
+  }
   placed.texture = maker.annulus ? maker.annulus(columns, levels) : regular_annulus_texture(columns, levels);
   if (maker.annulus)
     if (Result<void> checked = check_texture(placed.texture, {columns, columns}, false); !checked)
       return checked.error();
-  placed.offset = {0, shift};
   placed.location = locate(chart, map, placed.texture.v, placed.texture.u);
   return placed;
 }

@@ -129,6 +129,7 @@ Json chart_json(const Design_chart& chart) {
   return {{"id", chart.id},
           {"kind", chart.chart->kind == Chart_kind::disc ? "disc" : "annulus"},
           {"columns", chart.grid[0]},
+          {"columns_high", chart.grid[0] + chart.settings.columns_gained()},
           {"rows", chart.grid[1]},
           {"height", chart.height},
           {"set_columns", chart.settings.columns},

@@ -52,6 +52,8 @@ export interface ChartFacts {
   id: number;
   kind: "annulus" | "disc";
   columns: number;
+  /** At the upper side of an annulus: others where columns end or begin inside. */
+  columns_high: number;
   rows: number;
   height: number;
   /** What the user asked for; 0 is free. */

@@ -51,6 +51,7 @@ function controls(app: Workbench, chart: ChartFacts): HTMLElement[] {
   return [
     title,
     number("Around", "columns", chart.columns, chart.set_columns === 0, 4, 2, (columns, at) => ({ edit: "set_columns", at, columns })),
+    number("Around, top", "columns-high", chart.columns_high, chart.columns_high === chart.columns, 4, 2, (columns, at) => ({ edit: "set_columns", at, columns, side: "high" })),
     number("Along", "rows", chart.rows, chart.set_rows === 0, 2, 1, (rows, at) => ({ edit: "set_rows", at, rows })),
     h("label", { className: "field" }, h("span", { className: "label" }, "Denser at"), h("span", {}, "top"), grading, h("span", {}, "bottom")),
     h("div", { className: "field" }, h("span", { className: "label" }, "Twist"), turn(-1), h("output", { className: "twist" }, String(chart.shift)), turn(1)),
