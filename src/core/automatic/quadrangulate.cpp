@@ -95,6 +95,8 @@ Result<void> check(const Quadrangulation_options& options) {
   for (const Placed_extremum& e : options.extrema)
     if (!e.point.allFinite()) return impossible("a placed extremum is not finite");
   if (Result<void> fine = check(options.features); !fine) return fine;
+  if (options.mirror && options.boundaries == Boundaries::fill)
+    return impossible("a mirror and filled boundaries exclude each other");
   if (options.threads < 0) return impossible("the number of threads is negative");
   return {};
 }
@@ -114,6 +116,7 @@ Editor_options editor_options(const Quadrangulation_options& asked) {
   options.weights = asked.weights;
   options.solver = asked.solver;
   options.constraints = asked.constraints;
+  options.boundaries = asked.boundaries;
   options.chart_weights = asked.chart_weights;
   options.textures = asked.textures;
   options.keep_factorization = false;
@@ -143,11 +146,13 @@ bool has_own_extrema(const Quadrangulation_options& options) {
 Edit edit_of_extrema(const Quadrangulation_options& asked) {
   if (!asked.field.empty()) return Set_field{asked.field, asked.field_persistence, asked.collapse_thin};
   if (asked.extrema.empty())
-    return Suggest{asked.suggestion.persistence, asked.suggestion.axis, asked.collapse_thin};
+    return Suggest{asked.suggestion.persistence, asked.suggestion.axis, asked.collapse_thin,
+                   asked.boundary_values};
   Set_extrema edit;
   for (const Placed_extremum& e : asked.extrema) edit.extrema.push_back({{e.point, -1}, e.is_maximum, -1});
   edit.axis = asked.suggestion.axis;
   edit.collapse_thin = asked.collapse_thin;
+  edit.boundary = asked.boundary_values;
   return edit;
 }
 
@@ -166,7 +171,9 @@ Result<Finished_design> finished_on(const Given_features& features, const Editor
   Finish_options options = recipe.finish;
   options.relaxation.threads = internal::number_of_threads(recipe.options.threads);
   observer.progress("stitching", 0);
-  return finish_design(editor.quads(), Surface_projector(editor.input()), features, options, &observer);
+  Result<Stitched_mesh> quads = editor.open_quads();
+  if (!quads) return quads.error();
+  return finish_design(std::move(*quads), Surface_projector(editor.input()), features, options, &observer);
 }
 
 // Alignments that are tried, those that find the fewest patches first. A layout takes some 5 to 20

@@ -64,6 +64,8 @@ public:
                                                                   : collapse(std::get<Set_extrema>(first));
     m_edit.axis = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).axis
                                                          : std::get<Set_extrema>(first).axis;
+    m_edit.boundary = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).boundary
+                                                             : std::get<Set_extrema>(first).boundary;
     for (const Design_extremum& e : m_best.design.extrema)
       m_edit.extrema.push_back({{m_surface.points[e.vertex], e.vertex}, e.is_maximum, e.value});
     m_most_vertices =
