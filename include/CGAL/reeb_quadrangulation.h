@@ -109,6 +109,7 @@
 #include <CGAL/Reeb_quadrangulation/sized_quads.h>
 #include <CGAL/Reeb_quadrangulation/snap_to_features.h>
 #include <CGAL/Reeb_quadrangulation/stitch.h>
+#include <CGAL/Reeb_quadrangulation/stitch_patches.h>
 #include <CGAL/Reeb_quadrangulation/suggest_edits.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
 #include <CGAL/Reeb_quadrangulation/surface_as_read.h>

@@ -51,6 +51,7 @@ Exit_code execute_check(const Arguments& arguments);
 Exit_code execute_replay(const Arguments& arguments);
 Exit_code execute_stats(const Arguments& arguments);
 Exit_code execute_shape(const Arguments& arguments);
+Exit_code execute_stitch(const Arguments& arguments);
 Exit_code execute_suggest(const Arguments& arguments);
 Exit_code execute_studio(const Arguments& arguments);
 Exit_code execute_texture(const Arguments& arguments);

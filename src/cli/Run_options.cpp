@@ -103,6 +103,13 @@ void declare_run_options(Command_line& line) {
       ("feature-angle", value<double>("DEGREES")->default_value(45),
        "quads keep edges whose faces' normals differ by more; 0: none")     //
       ("feature-lines", "lay whole lines of quads' edges onto sharp edges") //
+      ("boundary-value", value<Texts>("x,y,z=KIND")->composing(),
+       "what the field is on the boundary loop nearest to a point: min, max, or min:V, max:V with V from 0 "
+       "to 1 "
+       "(repeatable)") //
+      ("boundaries", value<std::string>("WAY")->default_value("keep"),
+       "keep: boundary loops are contours; fill: they are filled, and the quads of fillings left out in the "
+       "end") //
       ("field", value<std::string>("WEIGHTS")->default_value("cotangent"),
        "weights of the field: cotangent or clamped") //
       ("validate",
@@ -120,6 +127,29 @@ void declare_run_options(Command_line& line) {
   declare_guides(line);
   declare_force(line);
   line.take("FILE");
+}
+
+// "x,y,z=min", "x,y,z=max" or "x,y,z=min:0.2".
+Boundary_value boundary_value(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto fail = [&] {
+    return Usage_error("--boundary-value takes a point and a kind as in 0,0,1=max, with a value as in "
+                       "0,0,1=max:0.8; it got '" +
+                       text + "'");
+  };
+  if (equals == std::string::npos) throw fail();
+  Boundary_value out;
+  out.at.point = point_option("--boundary-value", text.substr(0, equals));
+  std::string kind = text.substr(equals + 1);
+  if (const std::size_t colon = kind.find(':'); colon != std::string::npos) {
+    const std::optional<Point> parsed = parse_point(kind.substr(colon + 1) + ",0,0", ',');
+    if (!parsed || !(parsed->x() >= 0 && parsed->x() <= 1)) throw fail();
+    out.value = parsed->x();
+    kind.resize(colon);
+  }
+  if (kind != "min" && kind != "max") throw fail();
+  out.is_maximum = kind == "max";
+  return out;
 }
 
 std::vector<Placed_extremum> placed_extrema(const Command_line& line) {
@@ -161,6 +191,9 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   if (line.has("weights")) pipeline.energy = energy_weights(line.text("weights"));
   if (line.has("dislocations")) pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
   pipeline.extrema = placed_extrema(line);
+  if (line.has("boundary-value"))
+    for (const std::string& text : line.values["boundary-value"].as<Texts>())
+      pipeline.boundary_values.push_back(boundary_value(text));
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");
   pipeline.suggestion.persistence = in_range(line, "persistence", 0.0, 1.0);
@@ -182,6 +215,8 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   pipeline.features.feature_angle = in_range(line, "feature-angle", 0.0, 180.0);
   pipeline.features.lines = line.has("feature-lines");
   pipeline.keep_features = pipeline.features.feature_angle > 0;
+  pipeline.boundaries = choice<Boundaries>("--boundaries", line.text("boundaries"),
+                                           {{"keep", Boundaries::keep}, {"fill", Boundaries::fill}});
   pipeline.weights = choice<Weight_kind>(
       "--field", line.text("field"),
       {{"cotangent", Weight_kind::cotangent}, {"clamped", Weight_kind::clamped_cotangent}});

@@ -30,6 +30,7 @@ constexpr std::array commands{
     Command{"replay", "design a quad mesh by the edits of a recipe", execute_replay},
     Command{"suggest", "list edits that are worth while, with a reason each, or take them", execute_suggest},
     Command{"texture", "edit patches of a quad mesh of any origin", execute_texture},
+    Command{"stitch", "join patches of quads into one mesh", execute_stitch},
     Command{"polygons", "turn quads into hexagons or other polygons", execute_polygons},
     Command{"stats", "certify and measure a quad mesh of any origin", execute_stats},
     Command{"studio", "design a quad mesh in the browser", execute_studio},

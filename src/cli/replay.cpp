@@ -32,13 +32,14 @@ struct Replay_options {
   int until = -1;
   int component = 0; ///< 0: as the recipe says
   int threads = 0;
-  std::optional<double> feature_angle; ///< instead of the recipe's
-  Marks_request marks;                 ///< instead of the recipe's
-  std::string guides;                  ///< a file of guides beside the recipe's; empty: none
-  bool feature_lines = false;          ///< also where the recipe has none
-  bool relax = true;                   ///< where the recipe relaxes
-  Solver_options solver;               ///< instead of the recipe's
-  bool attributes = true;              ///< carry over what the input tells beside its surface
+  std::optional<double> feature_angle;  ///< instead of the recipe's
+  Marks_request marks;                  ///< instead of the recipe's
+  std::string guides;                   ///< a file of guides beside the recipe's; empty: none
+  bool feature_lines = false;           ///< also where the recipe has none
+  bool relax = true;                    ///< where the recipe relaxes
+  std::optional<Boundaries> boundaries; ///< instead of the recipe's
+  Solver_options solver;                ///< instead of the recipe's
+  bool attributes = true;               ///< carry over what the input tells beside its surface
   bool quiet = false;
 };
 
@@ -55,6 +56,8 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       "feature-angle", po::value<double>()->value_name("DEGREES"),
       "quads keep edges whose faces' normals differ by more; 0: none; by default what the recipe says")(
       "feature-lines", "lay whole lines of quads' edges onto sharp edges")(
+      "boundaries", po::value<std::string>()->value_name("WAY"),
+      "keep or fill boundary loops, instead of what the recipe says")(
       "no-attributes",
       "do not carry over texture coordinates, colours and names of the input")("quiet", "print errors only");
   declare_force(line);
@@ -90,6 +93,12 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
       throw Usage_error("--feature-angle lies between 0 and 180");
   }
   options.feature_lines = line.has("feature-lines");
+  if (line.has("boundaries")) {
+    const std::string way = line.text("boundaries");
+    if (way != "keep" && way != "fill")
+      throw Usage_error("--boundaries is keep or fill; it got '" + way + "'");
+    options.boundaries = way == "fill" ? Boundaries::fill : Boundaries::keep;
+  }
   options.marks = marks_request(line);
   if (line.has("guides")) options.guides = line.text("guides");
   options.relax = !line.has("no-relax");
@@ -112,6 +121,9 @@ Recipe read_recipe_until(const Replay_options& options) {
   if (options.component > 0) recipe.component = options.component;
   if (options.feature_angle) recipe.finish.features.feature_angle = *options.feature_angle;
   if (options.feature_lines) recipe.finish.features.lines = true;
+  if (options.boundaries) recipe.options.boundaries = *options.boundaries;
+  if (recipe.mirror && recipe.options.boundaries == Boundaries::fill)
+    throw Usage_error("--boundaries fill and the recipe's mirror exclude each other");
   if (!options.relax) recipe.finish.relax = false;
   if (options.marks.any()) {
     std::vector<std::string> told_later;

@@ -7,6 +7,7 @@
 #include "Outputs.h"
 #include "Patch_edits.h"
 #include "Recipe_input.h"
+#include "Stitching.h"
 #include "Text_input.h"
 
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
@@ -33,6 +34,7 @@ struct Texture_options {
   std::vector<std::string> operations;
   Base_cut cut = Base_cut::separatrices;
   bool relax = true;
+  bool stitch = false;
   bool quiet = false;
 };
 
@@ -55,6 +57,7 @@ std::optional<Texture_options> parse_texture_options(const Arguments& arguments)
       "cut", text("WHERE")->default_value("separatrices"),
       "the patches: between separatrices (the base complex), or every quad: everywhere")(
       "pictures", text("DIR"), "write pictures of the patches and of the result into this folder")(
+      "stitch", "QUADS are patches that touch without equal samples: stitch them after the edits")(
       "no-relax", "do not relax the new vertices")("quiet", "print errors only");
   declare_force(line);
   line.take("QUADS");
@@ -80,6 +83,7 @@ std::optional<Texture_options> parse_texture_options(const Arguments& arguments)
   if (options.output.empty() && !(options.operations.empty() && options.recipe.empty()))
     throw Usage_error("edits are given, but no file to write: -o FILE");
   options.relax = !line.has("no-relax");
+  options.stitch = line.has("stitch");
   options.quiet = line.has("quiet");
   return options;
 }
@@ -99,30 +103,26 @@ std::string called(const Texture_options& options, const std::vector<Edit>& edit
   return options.recipe + ": edit " + std::to_string(i + 1) + " (" + name(edits[i]) + ")";
 }
 
-// Patches in colours that neighbours do not share.
-Scene patch_scene(const Quad_mesh& mesh, const std::vector<int>& patch_of_quad) {
-  Triangle_surface halves;
-  std::vector<int> region;
-  halves.points = mesh.points;
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
-    const Quad& v = mesh.quads[q];
-    halves.triangles.push_back({v[0], v[1], v[2]});
-    halves.triangles.push_back({v[0], v[2], v[3]});
-    region.insert(region.end(), 2, patch_of_quad[q]);
-  }
-  const Scene coloured = face_colour_scene(halves, region);
-  Scene scene = quad_scene(mesh);
-  scene.face_colours.clear();
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
-    scene.face_colours.push_back(coloured.face_colours[2 * q]);
-  return scene;
-}
-
 void write_picture(const Scene& scene, const std::string& folder, const std::string& file) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::string path = (std::filesystem::path(folder) / file).string();
   succeed_or_fail(write_png(contact_sheet(scene, Up_axis::z, 1600, 1200), path), path);
+}
+
+// Joins the patches of a file that do not share their vertices.
+void stitch(Textured_base& result, const Texture_options& options, const Triangle_surface& surface,
+            const Surface_projector& projector) {
+  Stitch_patches_options stitching;
+  stitching.may_stay_open = !boundary_loops(surface).empty();
+  if (!options.relax) stitching.relaxation = Stitch_relaxation::none;
+  const Patch_files patches = patches_of(result.mesh, options.quads);
+  Stitched_patches stitched = stitched_or_fail(stitch_patches(result.mesh, stitching, &projector), patches);
+  if (!options.quiet) std::cout << stitching_text(stitched);
+  std::vector<int> patch_of_quad;
+  for (int parent : stitched.parent) patch_of_quad.push_back(result.patch_of_quad[std::size_t(parent)]);
+  result.mesh = std::move(stitched.mesh);
+  result.patch_of_quad = std::move(patch_of_quad);
 }
 
 } // namespace
@@ -148,9 +148,10 @@ Exit_code execute_texture(const Arguments& arguments) {
   for (std::size_t i = 0; i < edits.size(); ++i) patches.apply(edits[i], called(*options, edits, i));
   Relax_options relaxation;
   if (!options->relax) relaxation = {0, false, 1, 0};
-  const Textured_base result =
-      value_or_fail(apply_textures(quads, domain, patches.textures(), Surface_projector(surface), relaxation),
-                    options->quads);
+  const Surface_projector projector(surface);
+  Textured_base result =
+      value_or_fail(apply_textures(quads, domain, patches.textures(), projector, relaxation), options->quads);
+  if (options->stitch) stitch(result, *options, surface, projector);
   if (interrupted()) return Exit_code::interrupted;
   const Certificate certificate = certify({result.mesh, &surface});
   if (!options->quiet)

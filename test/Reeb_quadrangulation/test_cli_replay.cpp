@@ -112,3 +112,33 @@ TEST_CASE("of a file with several parts, the recipe or --component says which is
   CHECK(reebquad({"replay", parts, recipe(""), "-o", out, "--component", "0"}).code != 0);
   CHECK(reebquad({"replay", parts, recipe(R"("component": 0,   )"), "-o", out}).code != 0);
 }
+
+TEST_CASE("a run with filled boundaries, or with values of its loops, is replayed to the byte") {
+  const Temporary_folder folder;
+  const std::string cylinder = folder.path("c.obj"), recipe = folder.path("r.json"),
+                    quads = folder.path("q.obj"), again = folder.path("a.obj");
+  REQUIRE(reebquad({"shape", "cylinder", "-o", cylinder, "--triangles", "1500"}).code == 0);
+  const std::vector<std::string> run{"run",     cylinder, "-o",       quads,  "--write-recipe", recipe,
+                                     "--quads", "300",    "--effort", "fast", "--quiet"};
+  const std::vector<std::vector<std::string>> ways{
+      {"--boundaries", "fill", "--threads", "1"},
+      {"--boundary-value", "0,0,0=max", "--boundary-value", "0,0,3=max:0.9", "--min", "1,0,1.5"}};
+  for (const std::vector<std::string>& way : ways) {
+    std::vector<std::string> arguments = run;
+    arguments.insert(arguments.end(), way.begin(), way.end());
+    const Outcome made = reebquad(arguments);
+    INFO(made.err);
+    REQUIRE(made.code == 0);
+    REQUIRE(reebquad({"replay", cylinder, recipe, "-o", again, "--quiet", "--threads", "2"}).code == 0);
+    CHECK(contents(again) == contents(quads));
+  }
+  const Outcome other =
+      reebquad({"replay", cylinder, recipe, "-o", again, "--quiet", "--boundaries", "some"});
+  CHECK(other.code == 2);
+  CHECK(other.err.find("--boundaries is keep or fill") != std::string::npos);
+  for (const char* wrong : {"0,0,0", "0,0,0=up", "0,0,0=max:2", "0,0=max"}) {
+    std::vector<std::string> arguments = run;
+    arguments.insert(arguments.end(), {"--boundary-value", wrong});
+    CHECK(reebquad(arguments).code == 2);
+  }
+}

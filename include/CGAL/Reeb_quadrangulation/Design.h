@@ -87,6 +87,7 @@ struct Surface_field {
   std::vector<double> values;    ///< per vertex, without extrema that are not wanted; see `remove_extrema()`
   int cleanup_rounds = 0;        ///< that this took
   std::vector<int> lost_extrema; ///< vertices that were suggested as extrema, and are none
+  std::map<int, double> boundary_values = {}; ///< see `Designed_field::boundary_values`
 };
 
 /// A guide of a design.

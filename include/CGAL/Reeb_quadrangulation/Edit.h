@@ -55,6 +55,13 @@ enum class Enforcement : signed char {
 /// Points of extrema mean the nearest vertex, except those that name an existing extremum: the nearest one.
 /// @{
 
+/// What the field is on a boundary loop.
+struct Boundary_value {
+  Surface_point at;        ///< means the nearest loop
+  bool is_maximum = false; ///< the field falls from the loop, or rises
+  double value = -1;       ///< in [0, 1]; negative: 0 for a minimum, 1 for a maximum
+};
+
 /// Places extrema automatically and designs the whole field anew; see `suggest_extrema()`. Suggested extrema
 /// that the field turns out not to have are left out.
 struct Suggest {
@@ -62,6 +69,7 @@ struct Suggest {
   double persistence = 0.08;
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
   bool collapse_thin = false; ///< then does what `Collapse_thin_charts` does, before any count is chosen
+  std::vector<Boundary_value> boundary{}; ///< of loops that are not as their height suggests
 };
 /// Places all extrema by hand and designs the whole field anew.
 struct Set_extrema {
@@ -87,6 +95,7 @@ struct Set_extrema {
   /// axis.
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
   bool collapse_thin = false; ///< see `Suggest`
+  std::vector<Boundary_value> boundary{}; ///< of loops that are to change
 };
 /// Designs the whole surface by a function that is given, in place of a harmonic field: its extrema and its
 /// critical contours are those of the design, see `design_function()`. Regular contours are the charts' own.
@@ -119,6 +128,7 @@ struct Move_extremum {
   Edit_scope scope = Edit_scope::chart;
 };
 /// Changes the value that the field has at an extremum, in [0, 1], and solves it again on the whole surface.
+/// At a vertex on the boundary, of its loop: 0 makes it a minimum, 1 a maximum, and between it stays what it is.
 struct Change_value {
   static constexpr const char* edit_name = "change_value";
   Surface_point at;

@@ -71,7 +71,7 @@ public:
 
   const Design& design() const;
   const Triangle_surface& input() const;           ///< as given
-  const Triangle_surface& working_surface() const; ///< that the design lives on
+  const Triangle_surface& working_surface() const; ///< that the design lives on; closed if loops are filled
   const Editor_options& options() const;
   const Prepare_report& preparation() const; ///< how the working surface was made
 
@@ -81,6 +81,11 @@ public:
   /// The quad mesh of the design as it stands, positions on the surface, not relaxed. O(quads); a copy where
   /// the last edit had to stitch them already, to see that edited textures meet.
   Stitched_mesh quads() const;
+  /// The same without the quads of fillings, where boundary loops are filled (`Editor_options::boundaries`):
+  /// of each filling a disc of quads is left out, whose border comes to lie on the loop. Where it cannot run
+  /// along the loop straight, a ring of quads lies between. Fails with `impossible_request` where a filling
+  /// has no quad for itself, and with `refused_edit` with poles that are whole.
+  Result<Stitched_mesh> open_quads() const;
   /// The same, finished on the input surface, by as many threads as the session has; see `finish_design()`.
   /// Refused if the design is empty.
   Result<Finished_design> finished_quads(const Finish_options& options = {},

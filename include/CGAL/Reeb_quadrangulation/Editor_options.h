@@ -11,6 +11,12 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
+/// What a design does with the boundary loops of its surface.
+enum class Boundaries : signed char {
+  keep, ///< each loop is a contour
+  fill  ///< loops are filled, the design goes across, and the quads of fillings are left out in the end
+};
+
 /// Options of the engine that designs are made by: of an editing session, and of an automatic run, which is
 /// one. A recipe keeps them, but for functions and for what changes no result.
 struct Editor_options {
@@ -27,6 +33,9 @@ struct Editor_options {
   Weight_kind weights = Weight_kind::cotangent;
   /// What solves the systems of fields and of charts' maps. A recipe keeps its name.
   Linear_solver_factory solver = {};
+  /// With `fill` the design lives on a closed surface, whose extrema and contours may lie in fillings. The
+  /// result's boundary lies on the loops all the same, see `Editor::open_quads()`.
+  Boundaries boundaries = Boundaries::keep;
   /// How fields and charts' maps meet the values that are given.
   Constraint_method constraints = Constraint_method::elimination;
   /// The weights of a chart's map; empty: clamped cotangents. Called from several threads at once. A recipe

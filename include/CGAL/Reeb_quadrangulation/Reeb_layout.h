@@ -20,6 +20,7 @@ struct Designed_field {
   /// over.
   std::vector<int> elimination_order = {};
   std::map<int, double> extremal_values = {}; ///< of the extrema whose value is not 0 (minima) or 1 (maxima)
+  std::map<int, double> boundary_values = {}; ///< of the loops whose value is not 0 (minima) or 1 (maxima)
   std::map<int, double> curve_values =
       {}; ///< given at further vertices, of curves on which the field is constant
 };

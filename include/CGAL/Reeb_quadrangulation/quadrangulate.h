@@ -64,6 +64,10 @@ struct Quadrangulation_options {
   Suggestion_options suggestion;
   /// Of the field; charts always use positive weights.
   Weight_kind weights = Weight_kind::cotangent;
+  /// What the field is on boundary loops that are not as their height suggests; not read with a `field`.
+  std::vector<Boundary_value> boundary_values = {};
+  /// Whether boundary loops are contours, or are filled; `fill` excludes a mirror.
+  Boundaries boundaries = Boundaries::keep;
   /// How the field meets its values.
   Constraint_method constraints = Constraint_method::elimination;
   /// What solves the systems of fields and of charts' maps.

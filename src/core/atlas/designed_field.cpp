@@ -20,10 +20,13 @@ Result<void> solve_field(const Triangle_surface& surface, Harmonic_field& harmon
   for (const auto& [v, value] : field.curve_values)
     if (Result<void> set = harmonic.set_constraint(v, value); !set) return set;
   const std::vector<std::vector<int>> loops = boundary_loops(surface);
-  for (std::size_t i = 0; i < loops.size(); ++i)
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto given = field.boundary_values.find(int(i));
+    const double value =
+        given != field.boundary_values.end() ? given->second : double(field.boundary_is_maximum[i]);
     for (int h : loops[i])
-      if (Result<void> set = harmonic.set_constraint(surface.source(h), field.boundary_is_maximum[i]); !set)
-        return set;
+      if (Result<void> set = harmonic.set_constraint(surface.source(h), value); !set) return set;
+  }
   Result<Locally_clamped_field> solved = harmonic.solve_with_local_clamping(wanted);
   if (!solved) return solved.error();
   field.values = std::move(solved->values);

@@ -97,6 +97,8 @@ Result<void> check(const Quadrangulation_options& options) {
   if (Result<void> fine = check(options.features); !fine) return fine;
   if (options.dislocations < 0 || options.dislocations > 10000)
     return impossible("there are 0 to 10,000 dislocations");
+  if (options.mirror && options.boundaries == Boundaries::fill)
+    return impossible("a mirror and filled boundaries exclude each other");
   if (options.threads < 0) return impossible("the number of threads is negative");
   if (!(options.budget >= 0) || !std::isfinite(options.budget))
     return impossible("the budget of the search is a number of seconds");
@@ -120,6 +122,7 @@ Editor_options editor_options(const Quadrangulation_options& asked) {
   options.weights = asked.weights;
   options.solver = asked.solver;
   options.constraints = asked.constraints;
+  options.boundaries = asked.boundaries;
   options.chart_weights = asked.chart_weights;
   options.textures = asked.textures;
   options.keep_factorization = false;
@@ -149,11 +152,13 @@ bool has_own_extrema(const Quadrangulation_options& options) {
 Edit edit_of_extrema(const Quadrangulation_options& asked) {
   if (!asked.field.empty()) return Set_field{asked.field, asked.field_persistence, asked.collapse_thin};
   if (asked.extrema.empty())
-    return Suggest{asked.suggestion.persistence, asked.suggestion.axis, asked.collapse_thin};
+    return Suggest{asked.suggestion.persistence, asked.suggestion.axis, asked.collapse_thin,
+                   asked.boundary_values};
   Set_extrema edit;
   for (const Placed_extremum& e : asked.extrema) edit.extrema.push_back({{e.point, -1}, e.is_maximum, -1});
   edit.axis = asked.suggestion.axis;
   edit.collapse_thin = asked.collapse_thin;
+  edit.boundary = asked.boundary_values;
   return edit;
 }
 
@@ -172,7 +177,9 @@ Result<Finished_design> finished_on(const Given_features& features, const Editor
   Finish_options options = recipe.finish;
   options.relaxation.threads = internal::number_of_threads(recipe.options.threads);
   observer.progress("stitching", 0);
-  return finish_design(editor.quads(), Surface_projector(editor.input()), features, options, &observer);
+  Result<Stitched_mesh> quads = editor.open_quads();
+  if (!quads) return quads.error();
+  return finish_design(std::move(*quads), Surface_projector(editor.input()), features, options, &observer);
 }
 
 // Alignments that are tried, those that find the fewest patches first. A layout takes some 5 to 20

@@ -211,6 +211,7 @@ public:
     m_pure = Set_extrema();
     m_pure.axis = m_edit.axis;
     m_pure.collapse_thin = m_edit.collapse_thin;
+    m_pure.boundary = m_edit.boundary;
     for (const auto step : {&Curve_search::rings, &Curve_search::pairs, &Curve_search::change})
       for (bool again = true; again && tries_left();) {
         Result<bool> helped = (this->*step)();
@@ -261,6 +262,7 @@ private:
     } else if (const auto* suggest = std::get_if<Suggest>(&first)) {
       m_edit.axis = suggest->axis;
       m_edit.collapse_thin = suggest->collapse_thin;
+      m_edit.boundary = suggest->boundary;
       if (start)
         for (const Design_extremum& e : start->design.extrema)
           m_edit.extrema.push_back({{m_surface.points[e.vertex], e.vertex}, e.is_maximum, e.value});

@@ -71,6 +71,8 @@ public:
                                                                   : collapse(std::get<Set_extrema>(first));
     m_edit.axis = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).axis
                                                          : std::get<Set_extrema>(first).axis;
+    m_edit.boundary = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).boundary
+                                                             : std::get<Set_extrema>(first).boundary;
     if (const auto* suggested = std::get_if<Suggest>(&first))
       if (Result<void> begun = begin(*suggested); !begun) return begun.error();
     remember_extrema();

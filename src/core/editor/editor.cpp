@@ -4,7 +4,9 @@
 #include "atlas/given_field.h"
 #include "base/parallel_for.h"
 #include "design/pole_texture.h"
+#include "domain/open_fillings.h"
 #include "edits/steps.h"
+#include "mend/loops.h"
 
 #include "surface/lazy_projector.h"
 
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -89,6 +92,33 @@ bool has_own_textures(const Texture_maker& maker) {
   return maker.levels || maker.annulus || maker.disc;
 }
 
+// A copy of a surface whose boundary loops are filled, or none if it is closed. Its vertices and faces come
+// first.
+Result<std::optional<Triangle_surface>> filled_copy(const Triangle_surface& surface) {
+  const std::vector<std::vector<int>> loops = boundary_loops(surface);
+  if (loops.empty()) return std::optional<Triangle_surface>();
+  Mended_component component{surface, std::vector<int>(surface.points.size(), 0),
+                             std::vector<int>(surface.triangles.size(), 0)};
+  if (fill_holes(component, std::numeric_limits<int>::max()) != int(loops.size()) ||
+      !component.surface.connect())
+    return make_error(Error_code::not_a_surface,
+                      "a boundary loop cannot be filled: it bounds a triangle alone");
+  return std::optional<Triangle_surface>(std::move(component.surface));
+}
+
+// The values of a function with those of more vertices: each has the mean of its neighbours that have one.
+std::vector<double> extended(std::vector<double> values, const Triangle_surface& surface) {
+  std::vector<double> sum(surface.points.size(), 0), number(sum);
+  for (int h = 0; h < surface.number_of_halfedges(); ++h) {
+    const std::size_t v = std::size_t(surface.source(h)), w = std::size_t(surface.target(h));
+    if (w >= values.size()) continue;
+    sum[v] += values[w];
+    ++number[v];
+  }
+  for (std::size_t v = values.size(); v < sum.size(); ++v) values.push_back(sum[v] / number[v]);
+  return values;
+}
+
 bool has_whole_pole(const Design& design) {
   return std::any_of(design.extrema.begin(), design.extrema.end(),
                      [](const Design_extremum& e) { return e.pole == Pole_kind::whole; });
@@ -111,7 +141,9 @@ struct Editor::Implementation {
       if (!field) return field.error();
       draft.given_field = std::move(*field);
     }
-    Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, edit);
+    Edit applied = edit;
+    if (Set_target* target = std::get_if<Set_target>(&applied)) target->quads = with_fillings(target->quads);
+    Result<Design> next = std::visit([&](const auto& e) { return next_design(draft, e); }, applied);
     if (!next) return next.error();
     const int collapsed = draft.collapsed_charts;
     const double followed = draft.followed;
@@ -129,12 +161,28 @@ struct Editor::Implementation {
   // A function on the input as it is on the working copy: its extrema are those of the input, though flips
   // and collapses may have made others between the new vertices.
   Result<Designed_field> field_on_working_surface(const Set_field& given) const {
-    Result<Designed_field> field = design_function(input, given.values, given.persistence);
+    const bool fits = given.values.size() == input.points.size();
+    Result<Designed_field> field = design_function(
+        ground(), filled && fits ? extended(given.values, *filled) : given.values, given.persistence);
     if (!field || working_vertex.empty()) return field;
-    return carried_field(input, *input_projector, *field, working, working_vertex);
+    const Surface_projector& on_ground = filled ? **filled_projector : *input_projector;
+    return carried_field(ground(), on_ground, *field, working, working_vertex);
+  }
+
+  // What the working surface is a copy of.
+  const Triangle_surface& ground() const { return filled ? *filled : input; }
+  // As many quads more as there are in fillings.
+  int with_fillings(int quads) const {
+    return filled ? int(std::lround(quads * area(*filled) / area(input))) : quads;
+  }
+  void fill(Triangle_surface surface) {
+    filled = std::move(surface);
+    filled_projector.emplace(*filled);
   }
 
   Triangle_surface input, working;
+  std::optional<Triangle_surface> filled; // if loops are filled; the input's faces come first
+  std::optional<internal::Lazy_projector> filled_projector;
   std::vector<int> working_vertex; // of each vertex of the input; empty: both surfaces are the same
   Editor_options options;
   Prepare_report preparation;
@@ -165,22 +213,27 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
   auto editor = std::make_unique<Implementation>(std::move(surface), options);
   const double h =
       options.edge_length > 0 ? options.edge_length : std::sqrt(area(editor->input) / options.quads);
+  if (options.boundaries == Boundaries::fill) {
+    Result<std::optional<Triangle_surface>> filled = filled_copy(editor->input);
+    if (!filled) return filled.error();
+    if (*filled) editor->fill(std::move(**filled));
+  }
   if (options.prepare) {
     if (observer) observer->progress("prepare", 0);
     Prepare_options prepare;
     prepare.max_edge = h;
     prepare.min_edge = 1e-3 * h;
-    Result<Prepared_surface> prepared = prepare_surface(editor->input, prepare, observer);
+    Result<Prepared_surface> prepared = prepare_surface(editor->ground(), prepare, observer);
     if (!prepared) return prepared.error();
     editor->working = std::move(prepared->surface);
     editor->working_vertex = std::move(prepared->working_vertex);
     editor->preparation = prepared->report;
   } else {
-    editor->working = editor->input;
+    editor->working = editor->ground();
   }
   Design first;
   first.network.surface_vertices = editor->working.number_of_vertices();
-  first.target_quads = options.edge_length > 0 ? 0 : options.quads;
+  first.target_quads = options.edge_length > 0 ? 0 : editor->with_fillings(options.quads);
   first.edge_length = h;
   editor->states.push_back(std::make_shared<const Design>(std::move(first)));
   return Editor(std::move(editor));
@@ -283,13 +336,23 @@ Stitched_mesh Editor::quads() const {
   return std::move(*stitched);
 }
 
+Result<Stitched_mesh> Editor::open_quads() const {
+  const Implementation& m = *m_implementation;
+  Stitched_mesh stitched = quads();
+  if (!m.filled || stitched.mesh.quads.empty()) return stitched;
+  if (has_whole_pole(m.design()))
+    return refuse("a whole pole", "where boundary loops are filled there is none");
+  return internal::open_fillings(stitched, **m.filled_projector, m.input);
+}
+
 Result<Finished_design> Editor::finished_quads(const Finish_options& options, Observer* observer) const {
   if (observer) observer->progress("stitching", 0);
-  Stitched_mesh stitched = quads();
-  if (stitched.mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
+  Result<Stitched_mesh> stitched = open_quads();
+  if (!stitched) return stitched.error();
+  if (stitched->mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
   Finish_options with_threads = options;
   with_threads.relaxation.threads = internal::number_of_threads(m_implementation->options.threads);
-  return finish_design(std::move(stitched), *m_implementation->input_projector, with_threads, observer);
+  return finish_design(std::move(*stitched), *m_implementation->input_projector, with_threads, observer);
 }
 
 } // namespace Reeb_quadrangulation

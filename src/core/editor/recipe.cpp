@@ -34,16 +34,23 @@ template <class F> void fields(F& f, Set_extrema::Sharp_curve& c) {
   f.optional("kind", c.kind);
   f.optional("feature_angle", c.feature_angle);
 }
+template <class F> void fields(F& f, Boundary_value& b) {
+  f("at", b.at);
+  f("maximum", b.is_maximum);
+  f.optional("value", b.value);
+}
 template <class F> void fields(F& f, Suggest& e) {
   f.optional("persistence", e.persistence);
   f.optional("axis", e.axis);
   f.optional("collapse_thin", e.collapse_thin);
+  f.optional("boundary", e.boundary);
 }
 template <class F> void fields(F& f, Set_extrema& e) {
   f("extrema", e.extrema);
   f.optional("curves", e.curves);
   f.optional("axis", e.axis);
   f.optional("collapse_thin", e.collapse_thin);
+  f.optional("boundary", e.boundary);
 }
 template <class F> void fields(F& f, Set_field& e) {
   f("values", e.values);
@@ -222,6 +229,7 @@ template <class F> void fields(F& f, Editor_options& o) {
   f.optional("weights", o.weights);
   f.optional("solver", o.solver);
   f.optional("constraints", o.constraints);
+  f.optional("boundaries", o.boundaries);
 }
 template <class F> void fields(F& f, Mirror& m) {
   f("point", m.plane.point);
@@ -261,6 +269,7 @@ template <> struct Names<Weight_kind> {
 template <> struct Names<Constraint_method> {
   static constexpr const char* of[] = {"elimination", "penalty"};
 };
+template <> struct Names<Boundaries> { static constexpr const char* of[] = {"keep", "fill"}; };
 template <> struct Names<Mirror_positions> { static constexpr const char* of[] = {"exact", "projected"}; };
 template <> struct Names<Guide_way> { static constexpr const char* of[] = {"nearer", "level", "flow"}; };
 template <> struct Names<Falloff> { static constexpr const char* of[] = {"constant", "linear", "smooth"}; };
@@ -533,6 +542,8 @@ Result<Recipe> recipe_from_json(const std::string& text) {
       fields(reader, recipe.finish);
       reader.finish();
     }
+    if (recipe.mirror && recipe.options.boundaries == Boundaries::fill)
+      throw Malformed("\"mirror\" and \"boundaries\": \"fill\" exclude each other");
     if (!json.contains("edits") || !json["edits"].is_array())
       throw Malformed("the recipe has no list \"edits\"");
     for (std::size_t i = 0; i < json["edits"].size(); ++i)

@@ -131,8 +131,7 @@ Designed_field field_of(const Draft& draft, std::vector<double> values) {
     values[e.vertex] = e.value;
   }
   field.values = std::move(values);
-  for (const std::vector<int>& loop : boundary_loops(draft.surface()))
-    field.boundary_is_maximum.push_back(field.values[draft.surface().source(loop[0])] > 0.5);
+  field.boundary_is_maximum = present_boundary_kinds(draft);
   field.elimination_order = draft.solver().order();
   return field;
 }

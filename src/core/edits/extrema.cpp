@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "atlas/chart_lines.h"
+#include "base/segments.h"
 #include "edits/steps.h"
 
 #include <CGAL/Reeb_quadrangulation/Dirichlet_problem.h>
@@ -52,12 +53,22 @@ Result<void> cut_along_field(Draft& draft, const Designed_field& field, std::vec
                   extrema.end());
   draft.adopt(std::move(*layout));
   draft.extrema = std::move(extrema);
+  if (!field.boundary_values.empty()) {
+    auto known = std::make_shared<Surface_field>(*draft.field);
+    known->boundary_values = field.boundary_values;
+    draft.field = std::move(known);
+  }
   return {};
 }
 
+// What boundary loops are, in the order of `boundary_loops()`.
+struct Loop_values {
+  std::vector<bool> is_maximum;
+  std::map<int, double> given; // see `Designed_field::boundary_values`
+};
+
 // Solves the field on the whole surface and cuts it along its own contours.
-Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
-                            const std::vector<bool>& boundary_is_maximum,
+Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema, const Loop_values& loops,
                             Lost_extrema lost = Lost_extrema::are_refused) {
   const Triangle_surface& s = draft.surface();
   sort_by_vertex(extrema);
@@ -69,7 +80,8 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
     if (is_boundary_vertex(s, extrema[i].vertex))
       return refuse("an extremum on the boundary", {}, Element_kind::vertex, extrema[i].vertex);
   }
-  Designed_field field{{}, vertices_of(extrema, false), vertices_of(extrema, true), boundary_is_maximum};
+  Designed_field field{{}, vertices_of(extrema, false), vertices_of(extrema, true), loops.is_maximum};
+  field.boundary_values = loops.given;
   for (const Design_extremum& e : extrema) field.extremal_values[e.vertex] = e.value;
   if (Result<void> going_on = draft.begin("field"); !going_on) return going_on;
   if (Result<void> solved = draft.solver().solve(field); !solved)
@@ -77,10 +89,9 @@ Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
   return cut_along_field(draft, field, std::move(extrema), lost);
 }
 
-// Whether the boundary loops are maxima: as they are now, else as it is suggested.
-Result<std::vector<bool>> boundary_kinds(Draft& draft, const Suggestion_options& options) {
-  const std::vector<std::vector<int>> loops = boundary_loops(draft.surface());
-  if (loops.empty()) return std::vector<bool>();
+} // namespace
+
+std::vector<bool> present_boundary_kinds(const Draft& draft) {
   std::map<int, bool>
       is_maximum; // of boundary vertices that contours know; a maximum has its chart on the right
   for (std::size_t e = 0; e < draft.atlas().charts_of_edge.size(); ++e) {
@@ -89,22 +100,66 @@ Result<std::vector<bool>> boundary_kinds(Draft& draft, const Suggestion_options&
     if (!draft.network.is_removed(edge) && (sides[0] < 0 || sides[1] < 0))
       for (int v : edge.vertices) is_maximum[v] = sides[0] < 0;
   }
-  if (!is_maximum.empty()) {
-    std::vector<bool> kinds;
-    for (const std::vector<int>& loop : loops)
-      kinds.push_back(is_maximum.at(draft.surface().source(loop[0])));
-    return kinds;
-  }
+  std::vector<bool> kinds;
+  if (is_maximum.empty()) return kinds;
+  for (const std::vector<int>& loop : boundary_loops(draft.surface()))
+    kinds.push_back(is_maximum.at(draft.surface().source(loop[0])));
+  return kinds;
+}
+
+namespace {
+
+// Whether the boundary loops are maxima: as they are now, else as it is suggested.
+Result<std::vector<bool>> boundary_kinds(Draft& draft, const Suggestion_options& options) {
+  std::vector<bool> present = present_boundary_kinds(draft);
+  if (!present.empty() || boundary_loops(draft.surface()).empty()) return present;
   Result<Suggestion> suggestion = suggest_extrema(draft.surface(), options, draft.observer());
   if (!suggestion) return suggestion.error();
   return suggestion->boundary_is_maximum;
 }
 
-Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema,
-                            const Suggestion_options& options = {}) {
+// The number of the loop that is nearest to a point, or -1 if the surface is closed.
+int nearest_loop(const Triangle_surface& surface, const Surface_point& at) {
+  int best = -1;
+  double least = 0;
+  const std::vector<std::vector<int>> loops = boundary_loops(surface);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    for (int h : loops[i]) {
+      const double d = squared_distance_to_segment(at.point, surface.points[surface.source(h)],
+                                                   surface.points[surface.target(h)]);
+      if (best < 0 || d < least) best = int(i), least = d;
+    }
+  return best;
+}
+
+// Changes what loops are as it is asked for.
+Result<void> set_boundary(const Draft& draft, const std::vector<Boundary_value>& asked, Loop_values& loops) {
+  for (const Boundary_value& one : asked) {
+    if (!(one.value <= 1))
+      return make_error(Error_code::impossible_request, "values of boundary loops are at most 1");
+    const int i = nearest_loop(draft.surface(), one.at);
+    if (i < 0) return refuse("the surface has no boundary loop");
+    loops.is_maximum[std::size_t(i)] = one.is_maximum;
+    loops.given.erase(i);
+    if (one.value >= 0 && one.value != double(one.is_maximum)) loops.given[i] = one.value;
+  }
+  return {};
+}
+
+// As the loops are now, or as it is suggested, with what is asked for.
+Result<Loop_values> loop_values(Draft& draft, const Suggestion_options& options,
+                                const std::vector<Boundary_value>& asked = {}) {
   Result<std::vector<bool>> kinds = boundary_kinds(draft, options);
   if (!kinds) return kinds.error();
-  return design_surface(draft, std::move(extrema), *kinds);
+  Loop_values loops{std::move(*kinds), draft.field ? draft.field->boundary_values : std::map<int, double>()};
+  if (Result<void> set = set_boundary(draft, asked, loops); !set) return set.error();
+  return loops;
+}
+
+Result<void> design_surface(Draft& draft, std::vector<Design_extremum> extrema) {
+  Result<Loop_values> loops = loop_values(draft, {});
+  if (!loops) return loops.error();
+  return design_surface(draft, std::move(extrema), *loops);
 }
 
 } // namespace
@@ -133,8 +188,9 @@ Result<void> apply_edit(Draft& draft, const Suggest& edit) {
   std::vector<Design_extremum> extrema;
   for (const Suggested_extremum& e : suggestion->extrema)
     extrema.push_back({e.vertex, e.is_maximum, e.is_maximum ? 1.0 : 0.0});
-  const Result<void> designed =
-      design_surface(draft, std::move(extrema), suggestion->boundary_is_maximum, Lost_extrema::are_left_out);
+  Loop_values loops{suggestion->boundary_is_maximum, {}};
+  if (Result<void> set = set_boundary(draft, edit.boundary, loops); !set) return set;
+  const Result<void> designed = design_surface(draft, std::move(extrema), loops, Lost_extrema::are_left_out);
   return designed && edit.collapse_thin ? collapse_thin_charts(draft) : designed;
 }
 
@@ -149,11 +205,14 @@ Result<void> apply_edit(Draft& draft, const Set_extrema& edit) {
   }
   Suggestion_options options;
   options.axis = edit.axis;
-  Result<std::vector<bool>> kinds = boundary_kinds(draft, options);
-  if (!kinds) return kinds.error();
-  const Result<void> designed = edit.curves.empty()
-                                    ? design_surface(draft, std::move(extrema), *kinds)
-                                    : design_on_curves(draft, std::move(extrema), edit.curves, *kinds);
+  Result<Loop_values> loops = loop_values(draft, options, edit.boundary);
+  if (!loops) return loops.error();
+  if (!edit.curves.empty() && !loops->given.empty())
+    return make_error(Error_code::impossible_request,
+                      "beside lines of sharp edges as contours, boundary loops are minima or maxima alone");
+  const Result<void> designed =
+      edit.curves.empty() ? design_surface(draft, std::move(extrema), *loops)
+                          : design_on_curves(draft, std::move(extrema), edit.curves, loops->is_maximum);
   return designed && edit.collapse_thin ? collapse_thin_charts(draft) : designed;
 }
 
@@ -173,10 +232,19 @@ Result<void> apply_edit(Draft& draft, const Set_field& edit) {
 }
 
 Result<void> apply_edit(Draft& draft, const Change_value& edit) {
-  const int i = draft.extremum_at(edit.at.point);
-  if (i < 0) return refuse("there is no extremum");
   if (!(edit.value >= 0 && edit.value <= 1))
     return make_error(Error_code::impossible_request, "the value of an extremum is between 0 and 1");
+  if (const int v = draft.vertex_at(edit.at); is_boundary_vertex(draft.surface(), v)) {
+    Result<Loop_values> loops = loop_values(draft, {});
+    if (!loops) return loops.error();
+    const int loop = nearest_loop(draft.surface(), edit.at);
+    const bool is_maximum = edit.value == 1 || (edit.value > 0 && loops->is_maximum[std::size_t(loop)]);
+    const Boundary_value asked{edit.at, is_maximum, edit.value};
+    if (Result<void> set = set_boundary(draft, {asked}, *loops); !set) return set;
+    return design_surface(draft, draft.extrema, *loops);
+  }
+  const int i = draft.extremum_at(edit.at.point);
+  if (i < 0) return refuse("there is no extremum");
   std::vector<Design_extremum> extrema = draft.extrema;
   extrema[i].value = edit.value;
   return design_surface(draft, std::move(extrema));

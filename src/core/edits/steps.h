@@ -84,6 +84,9 @@ Result<void> design_on_curves(Draft& draft, std::vector<Design_extremum> extrema
                               const std::vector<Set_extrema::Sharp_curve>& curves,
                               const std::vector<bool>& boundary_is_maximum);
 
+/// Whether each of the boundary loops is a maximum of the design as it is; empty where it has no charts.
+std::vector<bool> present_boundary_kinds(const Draft& draft);
+
 /// The order in which designs keep their extrema; no two share a vertex.
 void sort_by_vertex(std::vector<Design_extremum>& extrema);
 
