@@ -27,9 +27,12 @@ Error edited_texture(const Draft& draft, int c) {
 
 Result<Chart_settings*> unlocked_settings_at(Draft& draft, const Surface_point& at) {
   Result<Chart_settings*> settings = settings_at(draft, at, true);
-  if (settings && (*settings)->locked) return refuse("the edit would change a locked chart");
-  if (const int c = draft.chart_at(at); settings && draft.before().charts[draft.origin(c)]->edited)
-    return edited_texture(draft, c);
+  if (!settings) return settings;
+  const int c = draft.chart_at(at);
+  const Design_chart& chart = *draft.before().charts[draft.origin(c)];
+  if ((*settings)->locked)
+    return refuse("the edit would change a locked chart", {}, Element_kind::chart, chart.id);
+  if (chart.edited) return edited_texture(draft, c);
   return settings;
 }
 
@@ -109,7 +112,8 @@ Result<void> apply_edit(Draft& draft, const Move_corner& edit) {
       !rectangle_corners(draft.network, draft.chart(c)).empty())
     return refuse("there is no cap with corners to move");
   const Design_chart& old = *draft.before().charts[draft.origin(c)];
-  if (old.settings.locked) return refuse("the edit would change a locked chart");
+  if (old.settings.locked)
+    return refuse("the edit would change a locked chart", {}, Element_kind::chart, old.id);
   if (old.edited) return edited_texture(draft, c);
   const Chart& chart = draft.chart(c);
   const std::vector<double> x = walk_coordinates(chart.walks[0], draft.before().samples);
