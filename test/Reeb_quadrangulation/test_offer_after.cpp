@@ -69,7 +69,11 @@ TEST_CASE("of a tilt seven eighths are tried first, and told in degrees") {
   const Editor editor = ringed_sphere();
   const double angle = std::acos(-1.0) / 4;
   const Eigen::Vector3d normal(std::sin(angle), 0, std::cos(angle));
-  const Move_contour tilted{at(1, 0, 0), Point(0, 0, 0), normal, {}};
+  Point centre = Point::Zero(); // of the ring: the plane only turns
+  for (int e : contours_of(editor))
+    if (const std::vector<Point> ring = points_of(editor, e); std::abs(ring[0].z()) < 0.1)
+      for (const Point& p : ring) centre += p / double(ring.size());
+  const Move_contour tilted{at(1, 0, 0), centre, normal, {}};
   const Error whatever =
       make_error(Error_code::refused_edit, "the plane leaves the charts beside the contour");
   const Result<std::optional<Offer>> offer = offer_after(editor, tilted, whatever);

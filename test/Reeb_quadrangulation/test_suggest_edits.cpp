@@ -254,6 +254,9 @@ TEST_CASE(
   for (const Hint& hint : hints) CHECK(hint.kind >= Hint_kind::lost_place);
   CHECK(!of_kind(hints, Hint_kind::lost_edge).empty());
   check_promises(editor, hints);
+  for (std::size_t i = 1; i < hints.size(); ++i) // none is there twice
+    CHECK((hints[i].kind != hints[i - 1].kind || hints[i].after != hints[i - 1].after ||
+           hints[i].kind == Hint_kind::lost_corner));
   CHECK(to_json(hints_of(editor, options)) == to_json(hints));
   CHECK(apply_hints(editor, options)->empty());
 

@@ -155,7 +155,7 @@ private:
     if (!(old.normal.norm() > 0)) return;
     const Turn turn(old.normal, edit.plane_normal);
     const Point begin = edit.plane_point - old.normal * old.normal.dot(edit.plane_point - old.centre);
-    const bool goes_far = moves && (edit.plane_point - begin).norm() > 1e-3 * length();
+    const bool goes_far = moves && (edit.plane_point - begin).norm() > 0.05 * length();
     if (turn.angle < 1e-3 && !goes_far) return;
     for (const double part : parts) {
       Move_contour less = edit;

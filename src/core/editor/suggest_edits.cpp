@@ -87,12 +87,20 @@ public:
       std::optional<Hint> hint = tried(m_candidates[i]);
       if (m_observer && m_observer->cancelled())
         return make_error(Error_code::cancelled, "cancelled by the user");
-      if (hint) hints.push_back(std::move(*hint));
+      if (hint && !is_known(*hint, hints)) hints.push_back(std::move(*hint));
     }
     return hints;
   }
 
 private:
+  // Several lost lines may lead to the same contour or chart.
+  static bool is_known(const Hint& hint, const std::vector<Hint>& hints) {
+    return std::any_of(hints.begin(), hints.end(), [&](const Hint& other) {
+      return hint.kind == Hint_kind::lost_edge && other.kind == hint.kind &&
+             other.edit.index() == hint.edit.index() && other.after == hint.after;
+    });
+  }
+
   Surface_point at(int vertex) const { return {m_surface.points[vertex], vertex}; }
 
   void find_limbs() {
