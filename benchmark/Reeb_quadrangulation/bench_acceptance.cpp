@@ -2,15 +2,17 @@
 // Tries the edits of contours, saddles and extrema mechanically on suggested designs and prints how many are
 // accepted, how long an accepted one takes, and which sentences refuse the others: one JSON line a model and
 // kind of edit, then the sums of all models. Usage: bench_acceptance [-n TRIES] [-q QUADS] [-k WORD]
-// [--certify] FILE|FOLDER|globe:K...
+// [--certify] [--offers] FILE|FOLDER|globe:K...
 //   -n: at most so many tries of a kind on one model (default 10), spread evenly over the elements; -k: only
 //   kinds with this word
 //   --certify: the quads of every accepted edit pass the certificate, or count as "not certified"
+//   --offers: after each refusal, whether something near works (offer_after.h), and how long it took to find
 //   globe:K: a ball of K lobes, whose maxima meet in one degenerate saddle (K = 3: a monkey saddle)
 #include "bench_tools.h"
 #include "globe.h"
 
 #include <CGAL/Reeb_quadrangulation/certificate.h>
+#include <CGAL/Reeb_quadrangulation/offer_after.h>
 
 #include <nlohmann/json.hpp>
 
@@ -33,19 +35,22 @@ constexpr double pi = 3.14159265358979323846;
 struct Options {
   int tries = 10, quads = 2500;
   std::string word;
-  bool certify = false;
+  bool certify = false, offers = false;
   std::vector<std::string> models;
 };
 
 struct Tally {
-  int tried = 0, accepted = 0, not_certified = 0;
-  std::vector<double> milliseconds;
+  int tried = 0, accepted = 0, not_certified = 0, offered = 0;
+  std::vector<double> milliseconds, offer_milliseconds;
   std::map<std::string, int> refusals;
 
   void add(const Tally& o) {
     tried += o.tried;
     accepted += o.accepted;
     not_certified += o.not_certified;
+    offered += o.offered;
+    offer_milliseconds.insert(offer_milliseconds.end(), o.offer_milliseconds.begin(),
+                              o.offer_milliseconds.end());
     milliseconds.insert(milliseconds.end(), o.milliseconds.begin(), o.milliseconds.end());
     for (const auto& [sentence, n] : o.refusals) refusals[sentence] += n;
   }
@@ -55,6 +60,10 @@ struct Tally {
     if (!milliseconds.empty()) line["median_ms"] = std::round(median(milliseconds));
     if (not_certified > 0) line["not_certified"] = not_certified;
     if (!refusals.empty()) line["refusals"] = refusals;
+    if (!offer_milliseconds.empty()) {
+      line["offered"] = offered;
+      line["median_offer_ms"] = std::round(median(offer_milliseconds));
+    }
     return line;
   }
 };
@@ -113,6 +122,7 @@ private:
     const Result<Edit_report> done = m_editor.apply(edit);
     if (!done) {
       ++tally.refusals[sentence(done.error())];
+      if (m_options.offers) look_for_offer(tally, edit, done.error());
       return;
     }
     tally.milliseconds.push_back(1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC);
@@ -123,6 +133,13 @@ private:
       if (!seal.passed) ++tally.not_certified;
     }
     m_editor.undo();
+  }
+
+  void look_for_offer(Tally& tally, const Edit& edit, const Error& refusal) {
+    const std::clock_t begin = std::clock();
+    const Result<std::optional<Offer>> offer = offer_after(m_editor, edit, refusal);
+    tally.offer_milliseconds.push_back(1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC);
+    if (offer && *offer) ++tally.offered;
   }
 
   Curve curve(int e) const {
@@ -393,6 +410,8 @@ Options read(int argc, char** argv) {
       options.word = argv[++i];
     else if (word == "--certify")
       options.certify = true;
+    else if (word == "--offers")
+      options.offers = true;
     else if (std::filesystem::is_directory(word)) {
       std::vector<std::string> files;
       for (const auto& entry : std::filesystem::directory_iterator(word))

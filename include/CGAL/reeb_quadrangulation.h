@@ -85,6 +85,7 @@
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/mirror_check.h>
 #include <CGAL/Reeb_quadrangulation/mirror_quads.h>
+#include <CGAL/Reeb_quadrangulation/offer_after.h>
 #include <CGAL/Reeb_quadrangulation/parameters.h>
 #include <CGAL/Reeb_quadrangulation/picture_scene.h>
 #include <CGAL/Reeb_quadrangulation/place_texture.h>

@@ -7,6 +7,7 @@
 
 #include "automatic/components.h"
 #include <CGAL/Reeb_quadrangulation/IO/read_file.h>
+#include <CGAL/Reeb_quadrangulation/offer_after.h>
 
 #include <algorithm>
 
@@ -33,6 +34,14 @@ Triangle_surface read_component(const std::string& file, const Recipe& recipe) {
   return std::move(mended.components[0].surface);
 }
 
+/// What works in place of an edit that was refused, for the end of the sentence that says so; or nothing.
+std::string instead(const Editor& editor, const Edit& edit, const Error& refusal,
+                    Terminal_observer& observer) {
+  const Result<std::optional<Offer>> offer = offer_after(editor, edit, refusal, &observer);
+  if (!offer || !*offer) return "";
+  return "; what works: " + (*offer)->words + ", " + to_json((*offer)->edit);
+}
+
 } // namespace
 
 Recipe read_recipe(const std::string& file) {
@@ -53,10 +62,12 @@ Replayed_recipe replay_recipe(const std::string& input, const Recipe& recipe, co
   for (std::size_t i = 0; i < recipe.edits.size(); ++i) {
     const Result<Edit_report> done = replayed.editor.apply(recipe.edits[i], &observer);
     if (interrupted()) throw Failure(Exit_code::interrupted, "interrupted; nothing is written");
-    if (!done)
+    if (!done) {
+      const std::string works = instead(replayed.editor, recipe.edits[i], done.error(), observer);
       throw Failure(exit_code(done.error().code), recipe_name + ": edit " + std::to_string(i + 1) + " (" +
                                                       name(recipe.edits[i]) +
-                                                      ") does not apply: " + done.error().message);
+                                                      ") does not apply: " + done.error().message + works);
+    }
   }
   return replayed;
 }

@@ -142,3 +142,32 @@ TEST_CASE("a run with filled boundaries, or with values of its loops, is replaye
     CHECK(reebquad(arguments).code == 2);
   }
 }
+
+TEST_CASE(
+    "an edit that is refused is named with its reason and with one that works, which does in its place") {
+  const Temporary_folder folder;
+  const std::string sphere = folder.path("sphere.obj"), file = folder.path("r.json"),
+                    out = folder.path("q.obj");
+  REQUIRE(reebquad({"shape", "sphere", "-o", sphere, "--triangles", "1200"}).code == 0);
+  Json recipe =
+      Json::parse(R"({"format": "reebquad recipe", "version": 1, "options": {"quads": 300}, "edits": [
+    {"edit": "set_extrema", "extrema": [{"at": {"point": [0, 0, -1]}, "maximum": false},
+                                        {"at": {"point": [0, 0, 1]}, "maximum": true}]},
+    {"edit": "subdivide_chart", "at": {"point": [1, 0, 0]}},
+    {"edit": "move_contour", "at": {"point": [1, 0, 0]}, "plane_point": [0, 0, 1.5],
+     "plane_normal": [0, 0, 1]}]})");
+  std::ofstream(file) << recipe;
+  const Outcome refused = reebquad({"replay", sphere, file, "-o", out});
+  CHECK(refused.code != 0);
+  CHECK(!std::filesystem::exists(out));
+  INFO(refused.err);
+  CHECK(refused.err.find("edit 3 (move_contour) does not apply") != std::string::npos);
+  const std::size_t words = refused.err.find("; what works: Move it "), edit = refused.err.find(", {", words);
+  REQUIRE(words != std::string::npos);
+  REQUIRE(edit != std::string::npos);
+  recipe["edits"][2] = Json::parse(refused.err.substr(edit + 2));
+  std::ofstream(file) << recipe;
+  const Outcome done = reebquad({"replay", sphere, file, "-o", out});
+  INFO(done.err);
+  CHECK(done.code == 0);
+}

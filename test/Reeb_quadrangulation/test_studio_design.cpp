@@ -498,6 +498,46 @@ TEST_CASE("a drag that ends where nothing can be, or is cancelled, leaves no tra
   CHECK(!session.redo());
 }
 
+TEST_CASE("a refused edit is offered one that works, which is one step; a recipe that cannot be followed "
+          "names it") {
+  const Temporary_folder folder;
+  Silent silent;
+  folder.write("a.obj", file_of("sphere", 1200));
+  Session session{Folder(folder.path(""))};
+  const Json far =
+      Json::parse(R"({"edit": "move_contour", "at": {"point": [1, 0, 0]}, "plane_point": [0, 0, 1.5],
+                                   "plane_normal": [0, 0, 1]})");
+  CHECK(!session.offer(far, silent)); // no mesh
+  REQUIRE(session.open_file("a.obj", silent));
+  CHECK(session.offer(far, silent)->is_null()); // no design
+  const Json poles = Json::parse(R"({"edit": "set_extrema", "extrema": [
+    {"at": {"point": [0, 0, -1]}, "maximum": false}, {"at": {"point": [0, 0, 1]}, "maximum": true}]})");
+  REQUIRE(session.edit(poles, silent));
+  const Json ring = Json::parse(R"({"edit": "subdivide_chart", "at": {"point": [1, 0, 0]}})");
+  REQUIRE(session.edit(ring, silent));
+  CHECK(session.offer(ring, silent)); // whether or not it would be refused
+  const Result<Json> refused = session.edit(far, silent);
+  REQUIRE(!refused);
+  CHECK(refused.error().element == Element_kind::contour);
+  const std::int64_t revision = session.revision();
+  const Result<Json> offer = session.offer(far, silent);
+  REQUIRE(bool(offer));
+  REQUIRE(offer->is_object());
+  CHECK(session.revision() == revision);
+  CHECK((*offer)["words"].get<std::string>().find("of the way instead") != std::string::npos);
+  CHECK((*offer)["place"].size() == 3);
+  CHECK(session.offer((*offer)["edit"], silent)->is_null()); // it works: nothing else is needed
+  REQUIRE(session.edit((*offer)["edit"], silent));
+  CHECK(session.state()["history"].size() == 3);
+  REQUIRE(session.undo());
+
+  Recipe recipe;
+  for (const Json& edit : {poles, ring, far}) recipe.edits.push_back(*edit_from_json(edit.dump()));
+  const Result<void> followed = session.open_recipe("r.recipe.json", to_json(recipe), silent);
+  REQUIRE(!followed);
+  CHECK(followed.error().message.find("What works: Move it") != std::string::npos);
+}
+
 TEST_CASE("pictures and preferences are kept by the folder, and go with what they belong to") {
   const Temporary_folder folder;
   Silent silent;

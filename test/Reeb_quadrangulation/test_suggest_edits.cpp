@@ -236,3 +236,33 @@ TEST_CASE("hints stop where the observer asks") {
   CHECK(suggest_edits(editor, {}, &observer).error().code == Error_code::cancelled);
   CHECK(editor.position() == 1);
 }
+
+TEST_CASE(
+    "what finished quads lose of the shape is worth hints, each of which loses less; where nothing is lost "
+    "there are none") {
+  Editor editor = designed("l-shape", 3000, {Suggest{}}, 250);
+  Finish_options rough;
+  rough.features.feature_angle = 0; // vertices stay where they fall
+  const Result<Finished_design> finished = editor.finished_quads(rough);
+  REQUIRE(bool(finished));
+  Hint_options options;
+  options.limbs = options.thin_charts = options.sharp_edges = options.saddles = false;
+  CHECK(hints_of(editor, options).empty());
+  options.finished = &finished->quads.mesh;
+  const std::vector<Hint> hints = hints_of(editor, options);
+  REQUIRE(!hints.empty());
+  for (const Hint& hint : hints) CHECK(hint.kind >= Hint_kind::lost_place);
+  CHECK(!of_kind(hints, Hint_kind::lost_edge).empty());
+  check_promises(editor, hints);
+  for (std::size_t i = 1; i < hints.size(); ++i) // none is there twice
+    CHECK((hints[i].kind != hints[i - 1].kind || hints[i].after != hints[i - 1].after ||
+           hints[i].kind == Hint_kind::lost_corner));
+  CHECK(to_json(hints_of(editor, options)) == to_json(hints));
+  CHECK(apply_hints(editor, options)->empty());
+
+  Editor sphere = designed("sphere", 3000, {extrema({0, 0, -1}, {{0, 0, 1}})}, 600);
+  const Result<Finished_design> smooth = sphere.finished_quads();
+  REQUIRE(bool(smooth));
+  options.finished = &smooth->quads.mesh;
+  CHECK(hints_of(sphere, options).empty());
+}

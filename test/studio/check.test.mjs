@@ -2,8 +2,9 @@
 // What the page says is true, and what it refuses leaves no trace: how far the quads are from the surface, drags to where nothing can be,
 // Escape, numbers, a design begun by hand, and one word for one thing.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import test, { after, before } from "node:test";
-import { Studio } from "./harness.mjs";
+import { pageModules, Studio } from "./harness.mjs";
 
 let studio;
 before(async () => (studio = await Studio.start({ width: 1100, height: 700 })));
@@ -13,6 +14,25 @@ const tail = async () => (await studio.state()).history.map((step) => step.edit.
 const answer = (id) => studio.page.click(`dialog.question [data-answer="${id}"]`);
 const measured = () => studio.page.waitForFunction(() => window.studio.store.get("deviation"));
 const critical = (kind) => studio.page.evaluate((k) => window.studio.stage.critical.filter((c) => c.kind === k).map((c) => c.position.toArray()), kind);
+
+/** What axe finds serious in what is seen now, dark and light, a line each. */
+async function barriers(where) {
+  if (!(await studio.page.evaluate(() => "axe" in window))) await studio.page.evaluate(readFileSync(pageModules.resolve("axe-core/axe.min.js"), "utf8"));
+  const found = new Set();
+  for (const theme of ["light", "dark"]) {
+    await studio.page.evaluate((theme) => (document.documentElement.dataset.theme = theme), theme);
+    const lines = await studio.page.evaluate(async () => {
+      const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+      return violations.filter(({ impact }) => impact === "serious" || impact === "critical").flatMap(({ id, nodes }) => nodes.map((n) => `${id} ${n.target.join(" ")}: ${n.failureSummary}`));
+    });
+    for (const line of lines) found.add(`${where}, ${theme}: ${line}`);
+  }
+  return [...found];
+}
+
+test("the page has no barrier that axe calls serious before a mesh is open", async () => {
+  assert.deepEqual(await barriers("start"), []);
+});
 
 test("a design is begun by hand, without a suggestion", async () => {
   await studio.upload(studio.shape("l-shape", 1500));
@@ -221,6 +241,36 @@ test("one word for one thing, and no letters smaller than 12 pixels", async () =
   assert.deepEqual([...texts].filter((text) => forbidden.test(text)), []);
   assert.deepEqual([...small], []);
   assert.ok(texts.size > 150);
+});
+
+test("the page has no barrier that axe calls serious: in no step, tab, tool, menu, dialog or list of keys", async () => {
+  const found = [];
+  for (const step of await studio.page.evaluate(() => [...document.querySelectorAll("[data-view]")].map((e) => e.dataset.view))) {
+    await studio.view(step);
+    found.push(...(await barriers(`step ${step}`)));
+  }
+  for (const tab of await studio.page.evaluate(() => [...document.querySelectorAll("[data-tab]")].map((e) => e.dataset.tab))) {
+    await studio.tab(tab);
+    found.push(...(await barriers(`tab ${tab}`)));
+  }
+  await studio.tab("design");
+  for (const tool of await studio.page.evaluate(() => [...document.querySelectorAll("[data-tool]")].map((e) => e.dataset.tool))) {
+    await studio.tool(tool);
+    found.push(...(await barriers(`tool ${tool}`)));
+  }
+  await studio.page.click("#display");
+  found.push(...(await barriers("display")));
+  await studio.page.click("#display");
+  for (const dialog of ["#save-as", "#open"]) {
+    await studio.page.click(dialog);
+    await studio.page.waitForSelector("dialog[open]");
+    found.push(...(await barriers(dialog)));
+    await studio.page.keyboard.press("Escape");
+  }
+  await studio.page.keyboard.press("?");
+  found.push(...(await barriers("keys")));
+  await studio.page.keyboard.press("Escape");
+  assert.deepEqual(found, []);
 });
 
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

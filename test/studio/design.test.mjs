@@ -161,6 +161,27 @@ test("an impossible place is red and says why, and applying it changes nothing",
   assert.equal(await marks(), 0);
 });
 
+test("a refusal lets flash what stands in the way and offers what works; the offer is one step, which can be undone", async () => {
+  const { revision } = await studio.state(), steps = await history();
+  await studio.page.keyboard.press("Enter"); // the plane is still where it was refused
+  await studio.told(/did not work/i);
+  assert.match(await studio.page.evaluate(() => window.studio.flash.last), /^(contour|vertex|chart) \d+$/);
+  const offer = studio.page.locator(".toast .remedy");
+  await offer.waitFor();
+  assert.equal(await offer.count(), 1);
+  assert.match(await offer.innerText(), /instead$/);
+  await offer.hover();
+  await studio.page.waitForFunction(() => window.studio.remedy.preview.curve.object.visible); // what it would make
+  await studio.picture("offer");
+  assert.equal((await studio.state()).revision, revision);
+  const name = await offer.getAttribute("data-offer"), state = await studio.after(() => offer.click());
+  assert.deepEqual(await history(), [...steps.slice(0, state.applied - 1), name]);
+  assert.equal(state.certificate.passed, true);
+  assert.equal(await studio.page.locator(".toast.bad").count(), 0);
+  const back = await studio.after(() => studio.page.keyboard.press("Control+z"));
+  assert.equal(back.applied, state.applied - 1);
+});
+
 test("a saddle is moved with all its contours, however the plane is tilted", async () => {
   await studio.page.keyboard.press("Escape");
   await studio.tool("plane");

@@ -49,4 +49,22 @@ test("a click applies a hint, and the list follows", async () => {
   assert.notDeepEqual(await studio.page.locator(limb).allInnerTexts(), reasons);
 });
 
+test("what the quads have lost of the shape is a hint too: the pointer shows what it would make, a click makes it", async () => {
+  await studio.upload(studio.shape("l-shape", 1500));
+  await studio.suggest();
+  await studio.tab("check");
+  const edge = studio.page.locator('[data-hint="lost_edge"]'), place = studio.page.locator('[data-hint="lost_place"]');
+  await place.first().waitFor();
+  assert.match(await place.first().innerText(), /cut the surface off.*add (maximum|minimum)/s);
+  assert.match(await edge.first().innerText(), /sharp edges.*(fit texture|snap contour)/s);
+  await place.first().hover();
+  // The contours that the edit would make, drawn over all else.
+  await studio.page.waitForFunction(() => window.studio.viewport.scene.children.some((o) => o.renderOrder === 8 && o.visible && o.isLineSegments2));
+  await studio.picture("hint_lost");
+  const { applied } = await studio.state(), state = await studio.after(() => place.first().click());
+  assert.equal(state.applied, applied + 1);
+  assert.equal(state.history.at(-1).edit.edit, "add_extremum");
+  assert.equal(state.certificate.passed, true);
+});
+
 test("the page reported no errors", () => assert.deepEqual(studio.errors, []));

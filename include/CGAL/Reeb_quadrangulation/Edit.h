@@ -109,7 +109,8 @@ struct Set_field {
   bool collapse_thin = false; ///< see `Suggest`
 };
 /// Adds an extremum. In a chart its value is `strength`, in (0, 1), of the way to where it would break a
-/// contour around it.
+/// contour around it; if there is no room for it and its saddle at the vertex, it takes the nearest of some
+/// vertices that are at most the length of a quad's edge away.
 struct Add_extremum {
   static constexpr const char* edit_name = "add_extremum";
   Surface_point at;
@@ -117,6 +118,7 @@ struct Add_extremum {
   Edit_scope scope = Edit_scope::chart;
   double strength = 0.9;
 };
+/// In its charts: those around it, and as many more as the field needs to have a minimum and a maximum there.
 struct Remove_extremum {
   static constexpr const char* edit_name = "remove_extremum";
   Surface_point at;

@@ -15,7 +15,10 @@ enum class Hint_kind : signed char {
   uncovered_limb, ///< a protrusion that the quads do not reach: an extremum at its tip
   thin_chart,     ///< a chart of flat quads between saddles: the saddles on one contour
   sharp_edge,     ///< a contour beside a closed chain of sharp edges: the contour on the chain
-  saddle          ///< a vertex of valence 8 with room around it: half- or quarter-saddles
+  saddle,         ///< a vertex of valence 8 with room around it: half- or quarter-saddles
+  lost_place,     ///< a part of the surface that the finished quads cut off: an extremum there
+  lost_edge,      ///< sharp edges that no quads run along: a contour on them, or a texture fitted to them
+  lost_corner     ///< a corner without a vertex of the quads: the nearest vertex on it
 };
 
 /// The name of a kind in lists: "uncovered_limb".
@@ -29,7 +32,9 @@ struct Hint {
   std::string reason;          ///< a sentence with the numbers below
   /// What the edit improves, without a unit, smaller is better: the distance of the limb's tip, or of the
   /// contour from the sharp edges, in edge lengths of the quads; how many times longer than wide the chart's
-  /// quads are, in the mean; the difference of the saddle's valence from 4.
+  /// quads are, in the mean; the difference of the saddle's valence from 4; the distance of the place from
+  /// the quads, and the length of all lost sharp edges, in edge lengths; the number of lost corners. The last
+  /// three are those of the quads as the design's charts have them, not yet relaxed.
   double before = 0, after = 0;
 };
 
@@ -42,6 +47,11 @@ struct Hint_options {
   double snap = 1;           ///< contours no farther than this from sharp edges, in the mean, are beside them
   double feature_angle = 45; ///< of sharp edges, degrees
   double room = 2;           ///< height of the charts that the parts of a saddle must leave
+  /// The quads that the design was finished to, or null: what they do not keep of the working surface
+  /// (deviation.h) is worth hints, four of a kind at most. `apply_hints()` has none of these: each of its
+  /// steps would need other quads.
+  const Quad_mesh* finished = nullptr;
+  double lost = 0.5; ///< farther from the finished quads, or longer, than this is lost
 };
 
 /// Proposes edits of a design, with a reason each. An edit is proposed if, tried on the design, it applies

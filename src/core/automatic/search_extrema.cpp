@@ -121,6 +121,7 @@ private:
         what << "suggested anew with the persistence " << other.persistence << " and the axis ("
              << axis.transpose() << ")";
         take(std::move(**tried), m_edit, what.str());
+        m_edit.axis = axis; // which also says what boundary loops are
       }
     return {};
   }

@@ -26,13 +26,13 @@ bool folds(const Chart& chart, const Chart_parameterization& map) {
   return false;
 }
 
-bool can_be_mapped(Draft& draft) {
+int unmappable_chart(Draft& draft) {
   for (int c = 0; c < int(draft.atlas().charts.size()); ++c) {
     if (draft.origin(c) >= 0 || draft.chart(c).kind != Chart_kind::annulus) continue;
     const Result<Chart_parameterization> map = draft.naturally_solved_map(c);
-    if (!map || folds(draft.chart(c), *map)) return false;
+    if (!map || folds(draft.chart(c), *map)) return c;
   }
-  return true;
+  return -1;
 }
 
 namespace {

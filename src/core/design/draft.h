@@ -98,6 +98,8 @@ public:
   const Chart& chart(int c) const { return *m_atlas.charts[c]; }
   /// The index that a chart has in the design before, or -1.
   int origin(int c) const { return m_origin[c]; }
+  /// The identity of a chart in the design before, by which refusals name it, or -1.
+  int identity(int c) const { return m_origin[c] < 0 ? -1 : m_before.charts[std::size_t(m_origin[c])]->id; }
 
   /// The vertices of a chart as its systems eliminate them.
   std::vector<int> order_of(const Chart& chart) const { return elimination_order(chart, m_solver.places()); }
@@ -174,8 +176,8 @@ Result<Stitched_mesh> stitch_design(const Triangle_surface& surface,
 /// Whether a triangle of a chart is turned over in its map, by more than rounding.
 bool folds(const Chart& chart, const Chart_parameterization& map);
 
-/// Whether the annuli that the draft has new can be mapped: very thin ones fold by rounding.
-bool can_be_mapped(Draft& draft);
+/// An annulus that the draft has new and that cannot be mapped, or -1: very thin ones fold by rounding.
+int unmappable_chart(Draft& draft);
 
 /// Joins the saddles on both sides of every annulus that is lower than half a quad, the lowest first, as long
 /// as charts result; counts in `Draft::collapsed_charts`. A quad is as large as the draft's target makes it

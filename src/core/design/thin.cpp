@@ -14,12 +14,13 @@ namespace Reeb_quadrangulation {
 
 Result<void> collapse_chart(Draft& draft, int c) {
   if (draft.chart(c).kind != Chart_kind::annulus)
-    return refuse("only annuli can be collapsed", {}, Element_kind::chart, c);
+    return refuse("only annuli can be collapsed", {}, Element_kind::chart, draft.identity(c));
   const Result<Chart_parameterization> map = draft.naturally_solved_map(c);
   if (!map) return map.error();
   const std::shared_ptr<const Chart> chart = draft.atlas().charts[c];
   if (Result<void> done = collapse_chart(draft.surface(), *chart, *map, draft.network); !done)
-    return refuse("the chart cannot be collapsed", done.error().message, Element_kind::chart, c);
+    return refuse("the chart cannot be collapsed", done.error().message, Element_kind::chart,
+                  draft.identity(c));
   return draft.cut();
 }
 

@@ -14,6 +14,9 @@ const char* name(Hint_kind kind) {
   case Hint_kind::thin_chart: return "thin_chart";
   case Hint_kind::sharp_edge: return "sharp_edge";
   case Hint_kind::saddle: return "saddle";
+  case Hint_kind::lost_place: return "lost_place";
+  case Hint_kind::lost_edge: return "lost_edge";
+  case Hint_kind::lost_corner: return "lost_corner";
   }
   return "";
 }

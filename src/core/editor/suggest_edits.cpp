@@ -2,6 +2,8 @@
 #include <CGAL/Reeb_quadrangulation/suggest_edits.h>
 
 #include "editor/hint_measures.h"
+#include "editor/lost_features.h"
+#include "editor/surface_ways.h"
 
 #include <CGAL/Reeb_quadrangulation/feature_edges.h>
 #include <CGAL/Reeb_quadrangulation/suggest_extrema.h>
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -30,7 +33,7 @@ std::string text(const Point& p) {
 }
 
 Result<void> check_options(const Hint_options& o) {
-  for (double length : {o.limb, o.thin, o.snap, o.room})
+  for (double length : {o.limb, o.thin, o.snap, o.room, o.lost})
     if (!(length >= 0) || !std::isfinite(length))
       return make_error(Error_code::impossible_request, "the lengths that hints ask for are not negative");
   if (!(o.feature_angle > 0 && o.feature_angle < 180))
@@ -71,6 +74,8 @@ public:
     if (m_options.thin_charts) find_thin_charts();
     if (m_options.sharp_edges) find_contours_beside_features();
     if (m_options.saddles) find_saddles();
+    if (m_options.finished && !m_design.charts.empty())
+      if (const Result<void> found = find_lost_features(*m_options.finished); !found) return found.error();
     const auto key = [](const Candidate& c) {
       return std::make_tuple(c.kind, -c.before, c.place.x(), c.place.y(), c.place.z(), c.element);
     };
@@ -82,12 +87,20 @@ public:
       std::optional<Hint> hint = tried(m_candidates[i]);
       if (m_observer && m_observer->cancelled())
         return make_error(Error_code::cancelled, "cancelled by the user");
-      if (hint) hints.push_back(std::move(*hint));
+      if (hint && !is_known(*hint, hints)) hints.push_back(std::move(*hint));
     }
     return hints;
   }
 
 private:
+  // Several lost lines may lead to the same contour or chart.
+  static bool is_known(const Hint& hint, const std::vector<Hint>& hints) {
+    return std::any_of(hints.begin(), hints.end(), [&](const Hint& other) {
+      return hint.kind == Hint_kind::lost_edge && other.kind == hint.kind &&
+             other.edit.index() == hint.edit.index() && other.after == hint.after;
+    });
+  }
+
   Surface_point at(int vertex) const { return {m_surface.points[vertex], vertex}; }
 
   void find_limbs() {
@@ -159,12 +172,48 @@ private:
     }
   }
 
+  // What the finished quads lack; what can be better about it is measured on the design's own quads.
+  Result<void> find_lost_features(const Quad_mesh& finished) {
+    Deviation_options options;
+    options.observer = m_observer;
+    Result<Deviation> lost = measure_deviation(finished, m_surface, options);
+    if (!lost) return lost.error();
+    Result<Deviation> before = deviation_of(m_design, m_surface, m_observer);
+    if (!before) return before.error();
+    m_before = std::move(*before);
+    const auto is_limb = [&](const Point& p) {
+      return std::any_of(m_candidates.begin(), m_candidates.end(), [&](const Candidate& c) {
+        return c.kind == Hint_kind::uncovered_limb && (c.place - p).norm() < 2 * m_h;
+      });
+    };
+    std::array<int, 3> number{{0, 0, 0}}; // of each kind
+    for (const Deviation_place& place : lost->worst)
+      if (place.on_surface && place.distance > m_options.lost * m_h && !is_limb(place.point) &&
+          number[0]++ < most_lost)
+        add_lost_place(nearest_vertex(m_surface, {place.point, -1}));
+    for (const Lost_line& line : lost_lines(*lost))
+      if (line.length > m_options.lost * m_h && number[1]++ < most_lost)
+        m_candidates.push_back({Hint_kind::lost_edge, m_before.lost_sharp_length / m_h, line.middle, 0});
+    for (const Point& corner : lost->lost_corners)
+      if (number[2]++ < most_lost)
+        m_candidates.push_back({Hint_kind::lost_corner, double(m_before.lost_corners.size()), corner, 0});
+    return {};
+  }
+
+  void add_lost_place(int vertex) {
+    const double distance = m_before.of_surface[std::size_t(vertex)] / m_h;
+    m_candidates.push_back({Hint_kind::lost_place, distance, m_surface.points[std::size_t(vertex)], vertex});
+  }
+
   std::optional<Hint> tried(const Candidate& c) {
     switch (c.kind) {
     case Hint_kind::uncovered_limb: return try_limb(c);
     case Hint_kind::thin_chart: return try_thin_chart(c);
     case Hint_kind::sharp_edge: return try_sharp_edge(c);
     case Hint_kind::saddle: return try_saddle(c);
+    case Hint_kind::lost_place: return try_lost_place(c);
+    case Hint_kind::lost_edge: return try_lost_edge(c);
+    case Hint_kind::lost_corner: return try_lost_corner(c);
     }
     return std::nullopt;
   }
@@ -261,6 +310,85 @@ private:
     return best;
   }
 
+  // What would be lost after an edit, if it applies.
+  std::optional<Deviation> lost_after(const Edit& edit) const {
+    const std::optional<Design> design = preview(edit);
+    if (!design) return std::nullopt;
+    Result<Deviation> deviation = deviation_of(*design, m_surface, m_observer);
+    return deviation ? std::optional<Deviation>(std::move(*deviation)) : std::nullopt;
+  }
+
+  std::optional<Hint> try_lost_place(const Candidate& c) const {
+    std::optional<Hint> best;
+    for (bool is_maximum : {true, false}) {
+      const Edit edit = Add_extremum{at(c.element), is_maximum};
+      const std::optional<Deviation> lost = lost_after(edit);
+      if (!lost) continue;
+      const double after = lost->of_surface[std::size_t(c.element)] / m_h;
+      if (!is_nearer(after, c.before) || (best && !(after < best->after))) continue;
+      best = hint(c, edit, after,
+                  "the quads cut the surface off at " + text(c.place) + ", " + text(c.before) +
+                      " edge lengths away from it; with a " + (is_maximum ? "maximum" : "minimum") +
+                      " there, " + text(after));
+    }
+    return best;
+  }
+
+  // The free contour that is nearest to a point, by its nearest vertex, if that is at most four edges away.
+  std::optional<Point> free_contour_near(const Point& p) const {
+    const Contour_network& network = m_design.network;
+    std::optional<Point> nearest;
+    for (std::size_t e = 0; e < network.edges.size(); ++e) {
+      const Contour_edge& edge = network.edges[e];
+      if (network.is_removed(edge) || edge.from != edge.to ||
+          network.nodes[std::size_t(edge.from)].kind != Node_kind::regular)
+        continue;
+      for (const Point& q : contour_points(m_surface, network, int(e)))
+        if ((q - p).norm() < (nearest ? (*nearest - p).norm() : 4 * m_h)) nearest = q;
+    }
+    return nearest;
+  }
+
+  std::optional<Hint> try_lost_edge(const Candidate& c) const {
+    std::vector<std::pair<Edit, const char*>> edits;
+    if (const std::optional<Point> contour = free_contour_near(c.place))
+      edits.push_back({Snap_contour{{*contour, -1}, m_options.feature_angle}, "the contour beside on them"});
+    edits.push_back(
+        {Fit_texture{{c.place, -1}, m_options.feature_angle}, "the texture of the chart fitted to them"});
+    std::optional<Hint> best;
+    for (const auto& [edit, with] : edits) {
+      const std::optional<Deviation> lost = lost_after(edit);
+      if (!lost || !(lost->lost_sharp_length < 0.98 * m_before.lost_sharp_length)) continue;
+      const double after = lost->lost_sharp_length / m_h;
+      if (best && !(after < best->after)) continue;
+      best = hint(c, edit, after,
+                  "no quads run along the sharp edges at " + text(c.place) + ": " + text(c.before) +
+                      " edge lengths of all sharp edges are lost so; with " + with + ", " + text(after));
+    }
+    return best;
+  }
+
+  // The vertex of the quads that is nearest to the corner, put onto it.
+  std::optional<Hint> try_lost_corner(const Candidate& c) const {
+    Point nearest = Point::Zero();
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& chart : m_design.charts)
+      for (const Chart_location& location : chart->texture.location)
+        if (const Point p = position(*chart->chart, location); (p - c.place).norm() < least) {
+          least = (p - c.place).norm();
+          nearest = p;
+        }
+    const Edit edit = Snap_vertices{{{nearest, -1}}, m_options.feature_angle};
+    const std::optional<Deviation> lost = lost_after(edit);
+    if (!lost || !(double(lost->lost_corners.size()) < c.before)) return std::nullopt;
+    return hint(c, edit, double(lost->lost_corners.size()),
+                "the corner at " + text(c.place) + " has no vertex of the quads, as " + text(c.before) +
+                    " corners in all; with the nearest vertex on it, " +
+                    text(double(lost->lost_corners.size())));
+  }
+
+  static constexpr int most_lost = 4; // hints of each kind about what is lost
+
   const Editor& m_editor;
   const Hint_options& m_options;
   const std::vector<int>& m_tips;
@@ -270,6 +398,7 @@ private:
   double m_h;
   std::vector<Candidate> m_candidates;
   std::optional<Segments> m_features;
+  Deviation m_before; // of the design's own quads, where something is lost
 };
 
 } // namespace
@@ -286,9 +415,11 @@ Result<std::vector<Hint>> apply_hints(Editor& editor, const Hint_options& option
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
   const Result<std::vector<int>> tips = tips_of(editor, options, observer);
   if (!tips) return tips.error();
+  Hint_options of_designs = options;
+  of_designs.finished = nullptr;
   std::vector<Hint> taken;
   for (;;) {
-    Result<std::vector<Hint>> hints = Hint_search(editor, options, *tips, observer).run(1);
+    Result<std::vector<Hint>> hints = Hint_search(editor, of_designs, *tips, observer).run(1);
     if (!hints) return hints.error();
     if (hints->empty()) return taken;
     if (const Result<Edit_report> done = editor.apply(hints->front().edit, observer); !done)

@@ -96,12 +96,32 @@ Result<int> free_loop_at(const Draft& draft, const Surface_point& at) {
   return e;
 }
 
+namespace {
+
+// Whether a disc has a contour of its own in parts between anchors, where its corners may be as well as
+// between them.
+bool is_anchored_cap(const Draft& draft, const Chart& disc) {
+  return std::all_of(disc.walks[0].edges.begin(), disc.walks[0].edges.end(), [&](const Walk_edge& e) {
+    const Contour_edge& edge = draft.network.edges[std::size_t(e.edge)];
+    const std::array<int, 2>& sides = draft.atlas().charts_of_edge[std::size_t(e.edge)];
+    const auto is_anchor = [&](int node) {
+      return draft.network.nodes[std::size_t(node)].kind == Node_kind::anchor;
+    };
+    return sides[0] >= 0 && sides[1] >= 0 && sides[0] != sides[1] && is_anchor(edge.from) &&
+           is_anchor(edge.to);
+  });
+}
+
+} // namespace
+
 Result<void> check_caps(const Draft& draft) {
   for (std::size_t c = 0; c < draft.atlas().charts.size(); ++c) {
     const Chart& chart = draft.chart(int(c));
     if (chart.kind != Chart_kind::disc || !rectangle_corners(draft.network, chart).empty()) continue;
-    if (cap_contour(draft, int(c)) < 0)
-      return refuse("an extremum needs a cap: a contour of its own", {}, Element_kind::chart, int(c));
+    if (cap_contour(draft, int(c)) >= 0 || is_anchored_cap(draft, chart)) continue;
+    const int pole = chart.extremum < 0 ? -1 : chart.vertex_origin[std::size_t(chart.extremum)];
+    return refuse("an extremum needs a cap: a contour of its own", {},
+                  pole < 0 ? Element_kind::none : Element_kind::vertex, pole);
   }
   return {};
 }
@@ -190,8 +210,9 @@ Result<void> move_free_loop(Draft& draft, int e, const Move_contour& edit) {
   if (!cut) return cut.error();
   place_crossings(draft.surface(), Cutting_plane::at(edit.plane_point, edit.plane_normal), 0.03, cut->curves);
   const int nearest = nearest_curve(draft.surface(), cut->curves, edit.at.point);
-  if (nearest < 0) return refuse("the plane does not meet the surface");
-  if (!cut->curves[nearest].is_closed) return refuse("the plane's curve is not a closed loop");
+  if (nearest < 0) return refuse("the plane does not meet the surface", {}, Element_kind::contour, e);
+  if (!cut->curves[nearest].is_closed)
+    return refuse("the plane's curve is not a closed loop", {}, Element_kind::contour, e);
   // Only then are the old crossings out of the way of the new ones.
   Contour_edge fresh = loop_of_curve(draft, cut->curves[nearest], draft.position(old.vertices.front()));
   return replace_edge(draft, e, std::move(fresh));

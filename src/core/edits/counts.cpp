@@ -29,7 +29,8 @@ Result<int> free_annulus_at(const Draft& draft, const Surface_point& at) {
   const Design_chart& chart = *draft.before().charts[draft.origin(c)];
   if (chart.chart->kind != Chart_kind::annulus)
     return refuse("a disc has no columns and rows of its own", {}, Element_kind::chart, chart.id);
-  if (chart.settings.locked) return refuse("the edit would change a locked chart");
+  if (chart.settings.locked)
+    return refuse("the edit would change a locked chart", {}, Element_kind::chart, chart.id);
   if (chart.edited) return edited_texture(draft, c);
   return c;
 }
@@ -109,7 +110,8 @@ Result<void> apply_edit(Draft& draft, const Move_corner& edit) {
       !rectangle_corners(draft.network, draft.chart(c)).empty())
     return refuse("there is no cap with corners to move");
   const Design_chart& old = *draft.before().charts[draft.origin(c)];
-  if (old.settings.locked) return refuse("the edit would change a locked chart");
+  if (old.settings.locked)
+    return refuse("the edit would change a locked chart", {}, Element_kind::chart, old.id);
   if (old.edited) return edited_texture(draft, c);
   const Chart& chart = draft.chart(c);
   const std::vector<double> x = walk_coordinates(chart.walks[0], draft.before().samples);

@@ -341,7 +341,9 @@ Result<void> lift(Draft& draft, Region& region, int added, double strength) {
   const Design_extremum mine = *extremum;
   region.extrema.erase(extremum); // it bounds no lift of its own
   const double sign = mine.is_maximum ? 1 : -1, q = largest_lift(draft, region, *u, green, sign);
-  if (!std::isfinite(q) || !(q > 0)) return refuse("there is no room for another extremum");
+  if (!std::isfinite(q) || !(q > 0))
+    return refuse("there is no room for another extremum", {}, Element_kind::vertex,
+                  region.chart.vertex_origin[std::size_t(added)]);
   region.field.values = std::move(*u);
   for (std::size_t v = 0; v < region.field.values.size(); ++v)
     region.field.values[v] += sign * strength * q * green[v];
@@ -430,15 +432,18 @@ Result<void> redesign_region(Draft& draft, const std::set<int>& charts, int insi
                                      [&](const Design_extremum& e) { return e.is_maximum == is_maximum; });
     if (!is_left && boundary_loops(draft.surface()).empty())
       return refuse(is_maximum ? "the field needs at least one maximum"
-                               : "the field needs at least one minimum");
+                               : "the field needs at least one minimum",
+                    {}, Element_kind::vertex, inside);
     return refuse(std::string("in the charts around nothing would be a ") +
                       (is_maximum ? "maximum" : "minimum"),
-                  "change it on the whole surface");
+                  "change it on the whole surface", Element_kind::vertex, inside);
   }
   const Result<Reeb_layout> layout = make_layout(region->chart.mesh, region->field);
   if (!layout && layout.error().code == Error_code::impossible_request) return refuse(layout.error().message);
   if (!layout) return refuse("too near to another contour", layout.error().message);
-  if (!layout->lost_extrema.empty()) return refuse("there is no room for another extremum");
+  if (!layout->lost_extrema.empty())
+    return refuse("there is no room for another extremum", {}, Element_kind::vertex,
+                  origin[std::size_t(layout->lost_extrema[0])]);
   std::vector<int> fresh;
   for (std::size_t e = 0; e < layout->network.edges.size(); ++e)
     if (layout->network.nodes[layout->network.edges[e].from].kind != Node_kind::boundary)
@@ -471,6 +476,39 @@ std::set<int> polar_charts(const Draft& draft, int disc) {
   return charts;
 }
 
+// And those that meet their contours, or the saddles on them.
+std::set<int> with_charts_around(const Draft& draft, const std::set<int>& charts) {
+  std::set<int> wider = charts;
+  for (int c : charts)
+    for (const Walk& walk : draft.chart(c).walks)
+      for (const Walk_edge& e : walk.edges) {
+        const Contour_edge& edge = draft.network.edges[e.edge];
+        for (int node : {edge.from, edge.to})
+          for (int around : draft.edges_at(node))
+            for (int side : draft.atlas().charts_of_edge[around])
+              if (side >= 0) wider.insert(side);
+      }
+  return wider;
+}
+
+// Whether the field on some charts, as one region, has a contour around it or an extremum of each kind.
+bool has_both_ends(const Draft& draft, const std::set<int>& charts) {
+  std::array<bool, 2> ends{{false, false}};
+  for (int c : charts) {
+    const Chart& chart = draft.chart(c);
+    for (const Walk& walk : chart.walks)
+      for (const Walk_edge& e : walk.edges) {
+        const std::array<int, 2>& sides = draft.atlas().charts_of_edge[e.edge];
+        const bool is_inside = charts.count(sides[0]) && charts.count(sides[1]) && sides[0] != sides[1];
+        if (!is_inside) ends[walk.side == Side::high ? 1 : 0] = true;
+      }
+    for (const Design_extremum& e : draft.extrema)
+      if (chart.extremum >= 0 && chart.vertex_origin[chart.extremum] == e.vertex)
+        ends[e.is_maximum ? 1 : 0] = true;
+  }
+  return ends[0] && ends[1];
+}
+
 void insert_extremum(Draft& draft, const Design_extremum& e) {
   draft.extrema.push_back(e);
   sort_by_vertex(draft.extrema);
@@ -486,6 +524,29 @@ Result<void> check_free(const Draft& draft, int vertex) {
 
 } // namespace
 
+namespace {
+
+Result<void> add_in_chart(Draft& draft, const Add_extremum& edit, int vertex) {
+  if (Result<void> free = check_free(draft, vertex); !free) return free;
+  const int chart = draft.chart_of_vertex(vertex);
+  insert_extremum(draft, {vertex, edit.is_maximum, 0});
+  return redesign_region(draft, polar_charts(draft, chart), vertex, vertex, edit.strength);
+}
+
+// A vertex, and some around it at growing distances, at most the length of a quad's edge.
+std::vector<int> places_near(const Draft& draft, int vertex) {
+  constexpr int rings = 5;
+  const Triangle_surface& s = draft.surface();
+  std::vector<int> places{vertex};
+  for (int v : vertices_around(s, vertex, draft.edge_length)) {
+    const double far = (s.points[std::size_t(v)] - s.points[std::size_t(vertex)]).norm();
+    if (far >= draft.edge_length * double(places.size()) / rings) places.push_back(v);
+  }
+  return places;
+}
+
+} // namespace
+
 Result<void> apply_edit(Draft& draft, const Add_extremum& edit) {
   if (!(edit.strength > 0 && edit.strength < 1))
     return make_error(Error_code::impossible_request, "the strength of an extremum is between 0 and 1");
@@ -495,10 +556,20 @@ Result<void> apply_edit(Draft& draft, const Add_extremum& edit) {
     extrema.push_back({vertex, edit.is_maximum, edit.is_maximum ? 1.0 : 0.0});
     return design_surface(draft, std::move(extrema));
   }
-  if (Result<void> free = check_free(draft, vertex); !free) return free;
-  const int chart = draft.chart_of_vertex(vertex);
-  insert_extremum(draft, {vertex, edit.is_maximum, 0});
-  return redesign_region(draft, polar_charts(draft, chart), vertex, vertex, edit.strength);
+  for (const Design_extremum& e : draft.extrema)
+    if (e.vertex == vertex) return refuse("two extrema at one vertex", {}, Element_kind::vertex, vertex);
+  Result<void> done;
+  for (const int v : places_near(draft, vertex)) {
+    Draft trial = draft;
+    const Result<void> added = add_in_chart(trial, edit, v);
+    if (added) {
+      draft.take(std::move(trial));
+      return {};
+    }
+    if (added.error().code != Error_code::refused_edit) return added;
+    if (done) done = added;
+  }
+  return done;
 }
 
 Result<void> apply_edit(Draft& draft, const Remove_extremum& edit) {
@@ -512,18 +583,14 @@ Result<void> apply_edit(Draft& draft, const Remove_extremum& edit) {
   }
   if (extremum.segment >= 0) return refuse("a half-pole: make it a quarter-pole first");
   const int disc = draft.chart_of_vertex(extremum.vertex);
-  std::set<int> charts = polar_charts(draft, disc);
-  const std::set<int> polar = charts;
-  for (int c : polar) // and the charts around the saddle contour that ends the annulus
-    for (const Walk& walk : draft.chart(c).walks)
-      for (const Walk_edge& e : walk.edges) {
-        const Contour_edge& edge = draft.network.edges[e.edge];
-        for (int node : {edge.from, edge.to})
-          for (int around : draft.edges_at(node))
-            for (int side : draft.atlas().charts_of_edge[around])
-              if (side >= 0) charts.insert(side);
-      }
   draft.extrema.erase(draft.extrema.begin() + i);
+  // The charts around the saddle contour that ends the annulus; and more, until the field has both ends.
+  std::set<int> charts = with_charts_around(draft, polar_charts(draft, disc));
+  while (!has_both_ends(draft, charts)) {
+    std::set<int> wider = with_charts_around(draft, charts);
+    if (wider.size() == charts.size()) break;
+    charts = std::move(wider);
+  }
   return redesign_region(draft, charts, extremum.vertex, -1, 0);
 }
 

@@ -426,7 +426,7 @@ Result<void> apply_edit(Draft& draft, const Pin_corners& edit) {
   }
   if (draft.chart(annulus).kind != Chart_kind::annulus || visits != 4)
     return refuse("the contour around the cap does not pass half-saddles four times", {}, Element_kind::chart,
-                  c);
+                  draft.identity(c));
   remove_edge(draft.network, cap);
   forget_extremum(draft, *disc);
   return draft.cut();

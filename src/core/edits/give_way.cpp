@@ -127,6 +127,21 @@ void level_pushed(Draft& draft, const std::vector<std::pair<int, double>>& pushe
     }
 }
 
+// Fails where a chart has become so thin that it cannot be mapped, with the contour that is in the way of
+// those that moved: one around that chart that has not.
+Result<void> check_room(Draft& draft) {
+  const int c = unmappable_chart(draft);
+  if (c < 0) return {};
+  int obstacle = -1;
+  for (const Walk& walk : draft.chart(c).walks)
+    for (const Walk_edge& e : walk.edges) {
+      const auto old = draft.replaced.find(e.edge);
+      if (obstacle < 0 || old == draft.replaced.end())
+        obstacle = old == draft.replaced.end() ? e.edge : old->second;
+    }
+  return refuse("the contours would come too near to each other", {}, Element_kind::contour, obstacle);
+}
+
 // A contour that follows less of its plane than this is not what was asked for.
 constexpr double least_share = 0.2;
 
@@ -171,7 +186,7 @@ Result<Way> redrawn(const Draft& draft, int e, const std::vector<int>& others, c
   }
   if (Result<void> done = redrawing->finish(); !done) return done.error();
   level_pushed(way.draft, pushed);
-  if (!can_be_mapped(way.draft)) return refuse("the contours would come too near to each other");
+  if (Result<void> room = check_room(way.draft); !room) return room.error();
   return way;
 }
 
@@ -257,8 +272,7 @@ Result<void> move_loops(Draft& draft, int node, int vertex, const std::vector<in
                   Element_kind::contour, redrawing->obstacle());
   draft.followed = normal ? followed : 1;
   if (Result<void> done = redrawing->finish(); !done) return done;
-  if (!can_be_mapped(draft)) return refuse("the contours would come too near to each other");
-  return {};
+  return check_room(draft);
 }
 
 } // namespace

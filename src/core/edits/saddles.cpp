@@ -22,6 +22,24 @@ Eigen::Vector3d normal_at(const Triangle_surface& surface, int vertex) {
   return normal;
 }
 
+std::vector<int> vertices_around(const Triangle_surface& s, int vertex, double distance) {
+  std::vector<std::pair<double, int>> found{{0.0, vertex}};
+  std::set<int> seen{vertex};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const int first = s.outgoing[found[i].second];
+    int h = first;
+    do {
+      const double d = (s.points[s.target(h)] - s.points[vertex]).norm();
+      if (d <= distance && seen.insert(s.target(h)).second) found.push_back({d, s.target(h)});
+      h = s.rotate_ccw(h);
+    } while (h >= 0 && h != first);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<int> vertices;
+  for (const auto& entry : found) vertices.push_back(entry.second);
+  return vertices;
+}
+
 namespace {
 
 // A saddle, its contour edges, and where it goes.
@@ -48,25 +66,6 @@ int crossings_around(const Triangle_surface& s, int vertex, const Eigen::Vector3
   int count = 0;
   for (std::size_t i = 0; i < above.size(); ++i) count += above[i] != above[(i + 1) % above.size()];
   return count;
-}
-
-// The vertices within a distance of a vertex, the nearest first.
-std::vector<int> vertices_around(const Triangle_surface& s, int vertex, double distance) {
-  std::vector<std::pair<double, int>> found{{0.0, vertex}};
-  std::set<int> seen{vertex};
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const int first = s.outgoing[found[i].second];
-    int h = first;
-    do {
-      const double d = (s.points[s.target(h)] - s.points[vertex]).norm();
-      if (d <= distance && seen.insert(s.target(h)).second) found.push_back({d, s.target(h)});
-      h = s.rotate_ccw(h);
-    } while (h >= 0 && h != first);
-  }
-  std::sort(found.begin(), found.end());
-  std::vector<int> vertices;
-  for (const auto& entry : found) vertices.push_back(entry.second);
-  return vertices;
 }
 
 // Whether a vertex lies on the saddle's contours or in the charts beside them.

@@ -141,6 +141,9 @@ Result<void> replace_edge(Draft& draft, int old, Contour_edge fresh);
 /// The sum of the normals of the triangles at a vertex, each as long as twice its area.
 Eigen::Vector3d normal_at(const Triangle_surface& surface, int vertex);
 
+/// The vertices of the surface around one that are within a distance of it, the nearest first.
+std::vector<int> vertices_around(const Triangle_surface& surface, int vertex, double distance);
+
 /// Fails unless every extremum has a cap: a contour of its own (a disc's corners would fall on saddles).
 Result<void> check_caps(const Draft& draft);
 

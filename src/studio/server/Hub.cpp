@@ -116,6 +116,7 @@ Result<Json> execute(Session& session, const Request& request, Worker::Observer&
   case Command::edit:
     return session.edit(body["edit"], observer, integer(body, "drag"), is_true(body, "live"));
   case Command::preview: return session.preview(body["edit"], observer);
+  case Command::offer: return session.offer(body["edit"], observer);
   case Command::hints: return session.hints(observer);
   case Command::undo: return done(session.undo());
   case Command::redo: return done(session.redo());
@@ -247,8 +248,9 @@ void Hub::start(const std::weak_ptr<Client>& client, const Request& request) {
   if (request.command == Command::prefer) m_preferences = request.body["preferences"];
   const bool live = request.command == Command::edit && is_true(request.body, "live");
   Standing standing;
-  standing.replaceable = request.command == Command::preview || request.command == Command::hints ||
-                         request.command == Command::deviation || live;
+  constexpr std::array questions{Command::preview, Command::offer, Command::hints, Command::deviation};
+  standing.replaceable =
+      live || std::find(questions.begin(), questions.end(), request.command) != questions.end();
   // Only looking makes nothing out of date.
   constexpr std::array looks{Command::chart, Command::deviation, Command::list_files, Command::keep_picture,
                              Command::prefer};

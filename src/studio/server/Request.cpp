@@ -40,6 +40,7 @@ constexpr std::array commands{
     Command_row{"prefer", Command::prefer, {"preferences", Json::value_t::object}},
     Command_row{"edit", Command::edit, {"edit", Json::value_t::object}},
     Command_row{"preview", Command::preview, {"edit", Json::value_t::object}},
+    Command_row{"offer", Command::offer, {"edit", Json::value_t::object}},
     Command_row{"hints", Command::hints, none},
     Command_row{"undo", Command::undo, none},
     Command_row{"redo", Command::redo, none},

@@ -24,6 +24,7 @@ enum class Command {
   prefer,
   edit,
   preview,
+  offer,
   hints,
   undo,
   redo,

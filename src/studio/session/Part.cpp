@@ -74,9 +74,12 @@ Result<void> Part::follow(const Recipe& recipe, Observer& observer) {
     const Json edit = Json::parse(to_json(recipe.edits[i]));
     if (const Result<Json> done = (*work)->apply(edit, &observer); !done) {
       Error error = done.error();
-      if (error.code != Error_code::cancelled)
-        error.message = "step " + std::to_string(i + 1) + " of " + std::to_string(recipe.edits.size()) +
-                        " (" + edit_text(edit) + ") cannot be done on this mesh: " + error.message;
+      if (error.code == Error_code::cancelled) return error;
+      const Result<Json> offer = (*work)->offer(edit, &observer);
+      error.message = "step " + std::to_string(i + 1) + " of " + std::to_string(recipe.edits.size()) + " (" +
+                      edit_text(edit) + ") cannot be done on this mesh: " + error.message;
+      if (offer && !offer->is_null())
+        error.message += ". What works: " + (*offer)["words"].get<std::string>();
       return error;
     }
     milliseconds.push_back(

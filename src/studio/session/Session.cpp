@@ -329,6 +329,12 @@ Result<Json> Session::preview(const Json& edit, Observer& observer) const {
   return work()->preview(edit, &observer);
 }
 
+Result<Json> Session::offer(const Json& edit, Observer& observer) const {
+  if (!work()) return no_mesh();
+  Quiet_observer quiet(observer);
+  return work()->offer(edit, &quiet);
+}
+
 Result<Json> Session::hints(Observer& observer) const {
   if (!work()) return no_mesh();
   Quiet_observer quiet(observer);

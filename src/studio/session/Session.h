@@ -40,6 +40,7 @@ public:
   void cancel_drag(std::int64_t drag);
   /// See `Workpiece`.
   Result<Json> preview(const Json& edit, Observer& observer) const;
+  Result<Json> offer(const Json& edit, Observer& observer) const;
   Result<Json> hints(Observer& observer) const;
   Result<void> undo();
   Result<void> redo();

@@ -4,6 +4,7 @@
 #include <CGAL/Reeb_quadrangulation/IO/hints.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/deviation.h>
+#include <CGAL/Reeb_quadrangulation/offer_after.h>
 
 #include <algorithm>
 
@@ -125,6 +126,18 @@ Json guide_json(const Design_guide& guide, const Point& origin) {
           {"contour", guide.contour >= 0}};
 }
 
+/// An error as pages can show it: they know saddles by their vertices.
+Error shown(Error error, const Editor& editor) {
+  const std::vector<Contour_node>& nodes = editor.design().network.nodes;
+  if (error.element != Element_kind::node || error.index < 0 || error.index >= std::int64_t(nodes.size()))
+    return error;
+  const int vertex = nodes[std::size_t(error.index)].vertex;
+  if (vertex >= editor.working_surface().number_of_vertices()) return error;
+  error.element = Element_kind::vertex;
+  error.index = vertex;
+  return error;
+}
+
 Json chart_json(const Design_chart& chart) {
   return {{"id", chart.id},
           {"kind", chart.chart->kind == Chart_kind::disc ? "disc" : "annulus"},
@@ -161,7 +174,7 @@ Result<Json> Workpiece::apply(const Json& edit, Observer* observer, bool live) {
   Result<Edit> parsed = parse_edit(edit);
   if (!parsed) return parsed.error();
   Result<Edit_report> report = m_editor.apply(*parsed, observer);
-  if (!report) return report.error();
+  if (!report) return shown(report.error(), m_editor);
   if (!live && observer && observer->cancelled()) {
     // The user was told that everything stays as it was.
     m_editor.undo();
@@ -178,14 +191,31 @@ Result<Json> Workpiece::preview(const Json& edit, Observer* observer) const {
   Result<Edit> parsed = parse_edit(edit);
   if (!parsed) return parsed.error();
   Result<Design> design = m_editor.preview(*parsed, observer);
-  if (!design) return design.error();
+  if (!design) return shown(design.error(), m_editor);
   return Json{{"charts", design->charts.size()},
               {"contours", new_contours(m_editor.working_surface(), m_editor.design().network,
                                         design->network, m_origin)}};
 }
 
+Result<Json> Workpiece::offer(const Json& edit, Observer* observer) const {
+  Result<Edit> parsed = parse_edit(edit);
+  if (!parsed) return parsed.error();
+  const Result<Design> design = m_editor.preview(*parsed, observer);
+  if (design) return Json(nullptr);
+  if (design.error().code == Error_code::cancelled) return design.error();
+  const Result<std::optional<Offer>> offer = offer_after(m_editor, *parsed, design.error(), observer);
+  if (!offer) return offer.error();
+  if (!*offer) return Json(nullptr);
+  const Point& p = (*offer)->place;
+  return Json{{"edit", Json::parse(to_json((*offer)->edit))},
+              {"words", (*offer)->words},
+              {"place", {p.x(), p.y(), p.z()}}};
+}
+
 Result<Json> Workpiece::hints(Observer* observer) const {
-  Result<std::vector<Hint>> found = suggest_edits(m_editor, {}, observer);
+  Hint_options options; // also about what is lost, once the quads are what they will be
+  if (m_quads && m_finished) options.finished = &m_quads->mesh;
+  Result<std::vector<Hint>> found = suggest_edits(m_editor, options, observer);
   if (!found) return found.error();
   return Json::parse(to_json(*found));
 }

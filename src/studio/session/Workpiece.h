@@ -35,6 +35,9 @@ public:
   Result<Json> apply(const Json& edit, Observer* observer, bool live = false);
   /// Whether the edit would be done, and how many charts there would be.
   Result<Json> preview(const Json& edit, Observer* observer) const;
+  /// The nearest edit that works in place of one that is refused: `edit`, `words`, `place` in the file's
+  /// coordinates; null if there is none, or if the edit is not refused.
+  Result<Json> offer(const Json& edit, Observer* observer) const;
   /// Edits that are worth while, as `to_json()` of hints writes them.
   Result<Json> hints(Observer* observer) const;
   /// Undoes the last edit as if it had not been done: it cannot be redone. \pre there is one

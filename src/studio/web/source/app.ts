@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { Connection, RequestError } from "./net/connection";
 import type { Edit, FileFacts, State, Vector } from "./net/messages";
 import { layerList, switched, type ViewId } from "./scene/layers";
+import { Flash } from "./scene/flash";
 import { PlaceMark } from "./scene/place_mark";
 import { Stage } from "./scene/stage";
 import { Viewport } from "./scene/viewport";
@@ -46,6 +47,7 @@ import { startTheme } from "./ui/theme";
 import { Toasts } from "./ui/toasts";
 import { stepsBar, steps, viewOf } from "./ui/steps_bar";
 import { tabs } from "./ui/tabs";
+import { Remedy } from "./ui/remedy";
 import { showView } from "./ui/views_bar";
 import { welcome } from "./ui/welcome";
 
@@ -81,6 +83,8 @@ export class App implements Workbench {
   private readonly drags: DragEdits;
   private findingMark: PlaceMark | null = null;
   private toastMark: PlaceMark | null = null;
+  readonly flash: Flash;
+  private readonly remedy: Remedy;
   private readonly thumbnails: Thumbnails;
   private readonly deviation: DeviationPanel;
   private readonly hintsHost = h("div", {});
@@ -100,7 +104,7 @@ export class App implements Workbench {
       preferences: (kept) => this.preferences.take(kept),
     });
     this.preferences = new Preferences(this.connection);
-    this.drags = new DragEdits(this.connection, (error) => this.tell(error), (reason) => this.tools.tellRefusal(reason && plain(reason)));
+    this.drags = new DragEdits(this.connection, (error, edit) => this.tell(error, edit), (reason) => this.tools.tellRefusal(reason && plain(reason)));
     const canvasHost = h("div", { className: "canvas" });
     const openMesh = openDialog({
       connection: this.connection, store: this.store, take: (file) => void this.take([file]), openMesh: (name) => void this.openFile(name),
@@ -111,6 +115,8 @@ export class App implements Workbench {
     const help = this.makeShell(root, { canvasHost, middle, hintLine, toolHost }, openMesh);
     this.viewport = new Viewport(canvasHost);
     this.stage = new Stage(this.viewport);
+    this.flash = new Flash(this.stage);
+    this.remedy = new Remedy(this);
     this.thumbnails = new Thumbnails(this.connection, () => this.viewport.thumbnail());
     this.findingMark = new PlaceMark(this.viewport);
     this.toastMark = new PlaceMark(this.viewport);
@@ -146,7 +152,7 @@ export class App implements Workbench {
       if (changes.has(command)) this.toasts.forgive();
       return result;
     } catch (error) {
-      this.tell(error);
+      this.tell(error, command === "edit" ? (members.edit as Edit) : undefined);
       return null;
     }
   }
@@ -174,14 +180,17 @@ export class App implements Workbench {
     this.viewport.focus(place, distance, this.stage.surface.normalAt(place));
   }
 
-  tell(error: unknown): void {
-    if (error instanceof RequestError && error.failure.cancelled) return this.toasts.show("Stopped", "Everything is as it was before.");
+  /** A failure; of an edit also what stands in its way, and what works instead. */
+  tell(error: unknown, edit?: Edit): void {
+    if (error instanceof RequestError && error.failure.cancelled) return void this.toasts.show("Stopped", "Everything is as it was before.");
     const message = error instanceof Error ? error.message : String(error);
-    if (!(error instanceof RequestError)) return this.toasts.show("That did not work", capital(message), "bad");
+    if (!(error instanceof RequestError)) return void this.toasts.show("That did not work", capital(message), "bad");
     const { element, index, code } = error.failure, place = code in advice ? this.placeOf(element, index) : null;
     const where = elementName(element, index, this.store.get("state")?.facts?.charts ?? []);
     const show = place && { name: "Show", run: () => (this.flyTo(place), this.toastMark?.show(place)) };
-    this.toasts.show("That did not work", [capital(plain(message)) + where, advice[code] ?? ""].join(". "), "bad", show ?? undefined, () => this.toastMark?.show(null));
+    const toast = this.toasts.show("That did not work", [capital(plain(message)) + where, advice[code] ?? ""].join(". "), "bad", show ?? undefined, () => this.toastMark?.show(null));
+    if (code in advice) this.flash.show(element, index);
+    if (edit && code in advice) void this.remedy.offer(edit, toast);
   }
 
   /** Where an element of the surface or of the design is. */
@@ -221,7 +230,7 @@ export class App implements Workbench {
   /** Follows a recipe on the mesh that is open; asks where edits would be lost. */
   private async openRecipe(name: string, follow: () => Promise<unknown>): Promise<void> {
     const state = this.store.get("state"), edits = state?.history?.length ?? 0;
-    if (!state?.file) return this.toasts.show("Open the mesh first", `${name} is a recipe: it says what to do with a mesh.`, "bad");
+    if (!state?.file) return void this.toasts.show("Open the mesh first", `${name} is a recipe: it says what to do with a mesh.`, "bad");
     if (edits > 0) {
       const text = `The steps of ${name} take the place of your ${edits} ${edits === 1 ? "edit" : "edits"} of ${state.file.name}.`;
       const answer = await question("Follow the recipe?", text, [{ id: "save", name: "Save mine first", primary: true }, { id: "follow", name: "Follow it" }]);

@@ -144,6 +144,13 @@ export interface Deviation {
   lost_sharp_length: number;
 }
 
+/** What works in place of an edit that was refused. */
+export interface Offer {
+  edit: Edit;
+  words: string;
+  place: Vector;
+}
+
 /** An edit that is worth while, and why. */
 export interface Hint {
   kind: string;

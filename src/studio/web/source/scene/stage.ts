@@ -34,7 +34,8 @@ export function isFree(contour: Contour): boolean {
   return contour.kind === "regular";
 }
 
-function pairsOf(contours: readonly Contour[]): Float32Array {
+/** The pairs of neighbouring points of contours. */
+export function pairsOf(contours: readonly Contour[]): Float32Array {
   const pairs: number[] = [];
   for (const { points } of contours)
     for (let i = 0; i + 1 < points.length; ++i) pairs.push(...points[i]!.toArray(), ...points[i + 1]!.toArray());

@@ -15,7 +15,7 @@ export class DragEdits {
 
   /** `refused` is called while dragging: with the reason where the place is refused, with null where it is not. */
   constructor(
-    private readonly connection: Connection, private readonly tell: (error: unknown) => void, private readonly refused: (reason: string | null) => void,
+    private readonly connection: Connection, private readonly tell: (error: unknown, edit?: Edit) => void, private readonly refused: (reason: string | null) => void,
   ) {}
 
   /** The last edit of a drag is not `live`. */
@@ -40,7 +40,7 @@ export class DragEdits {
     if (!this.open) return;
     this.close();
     this.next = null;
-    this.connection.request("cancel_drag", { drag: this.drag }).catch(this.tell);
+    this.connection.request("cancel_drag", { drag: this.drag }).catch((error: unknown) => this.tell(error));
   }
 
   private close(): void {
@@ -60,7 +60,7 @@ export class DragEdits {
       .request("edit", { edit, live, drag })
       .then(() => tellRefusal(null))
       .catch((error: unknown) => {
-        if (!live) this.tell(error);
+        if (!live) this.tell(error, edit);
         else if (error instanceof RequestError && !error.failure.cancelled) tellRefusal(error.message);
       })
       .finally(() => {

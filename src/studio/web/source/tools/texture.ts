@@ -246,7 +246,7 @@ export class TextureTool implements Tool {
 
   private whole(make: (at: object) => Edit): void {
     const t = this.texture;
-    if (!t) return this.app.toasts.show("No chart is open", "Click a chart first.");
+    if (!t) return void this.app.toasts.show("No chart is open", "Click a chart first.");
     void this.app.edit(make(surfacePoint(this.app, t.name({ kind: "quad", quad: 0, corner: 0 }))));
   }
 

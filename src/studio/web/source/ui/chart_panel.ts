@@ -21,7 +21,7 @@ export function chartPanel(app: Workbench): HTMLElement {
 function controls(app: Workbench, chart: ChartFacts): HTMLElement[] {
   const send = (make: (at: object) => Edit): void => {
     const point = app.stage.surface.insideOf(chart.id);
-    if (!point) return app.toasts.show("This chart is too small", "It has no vertex inside that an edit could name.", "bad");
+    if (!point) return void app.toasts.show("This chart is too small", "It has no vertex inside that an edit could name.", "bad");
     void app.edit(make(surfacePoint(app, point)));
   };
   const number = (label: string, id: string, value: number, free: boolean, min: number, step: number, make: (value: number, at: object) => Edit): HTMLElement => {

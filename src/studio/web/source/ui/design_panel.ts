@@ -15,7 +15,12 @@ const givenAnyway = new Set(["suggest", "set_target"]);
 /** The suggestion, the number of quads and the charts. */
 export function designPanel(store: Store, edit: (edit: Edit) => void, refuse: (sentence: string) => void): HTMLElement {
   const panel = h("div", { className: "design" }, limbs(store, edit), count(store, edit, refuse), h("section", {}, h("h3", {}, "Charts"), charts(store)));
-  store.watch(["state"], () => panel.classList.toggle("idle", !store.get("state")?.file));
+  // Without a mesh neither pointer nor keys reach it, and readers pass it over.
+  store.watch(["state"], () => {
+    panel.inert = !store.get("state")?.file;
+    panel.ariaDisabled = String(panel.inert);
+    panel.classList.toggle("idle", panel.inert);
+  });
   return panel;
 }
 

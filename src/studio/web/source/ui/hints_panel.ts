@@ -4,22 +4,25 @@ import type { Workbench } from "../workbench";
 import { RequestError } from "../net/connection";
 import type { Hint, State } from "../net/messages";
 import { PlaceMark } from "../scene/place_mark";
+import { Preview } from "../tools/preview";
 import { h, icon, replace } from "./dom";
 import { icons } from "./icons";
 
 /** Above so many triangles hints are looked for only when the user asks: it may take many seconds. */
 const askedAbove = 60000;
 
-/** Edits that are worth while, with the reason: the pointer on one shows where it is, a click applies it. */
+/** Edits that are worth while, with the reason: the pointer on one shows where it is and what it would make, a click applies it. */
 export class HintsPanel {
   readonly element = h("div", { className: "hint-list" });
   private readonly mark: PlaceMark;
+  private readonly preview: Preview;
   private hints: Hint[] | null = null;
   private asked = -1;
   private busy = false;
 
   constructor(private readonly app: Workbench) {
     this.mark = new PlaceMark(app.viewport);
+    this.preview = new Preview(app, () => {});
     app.store.watch(["state"], () => this.follow());
     app.store.watch(["deviation"], () => this.draw());
   }
@@ -31,7 +34,7 @@ export class HintsPanel {
     if (isNew) {
       this.hints = null;
       this.asked = -1;
-      this.mark.show(null);
+      this.show(null);
     }
     this.draw();
     if (isNew && !this.busy && state?.statistics && state.finished && state.file!.triangles <= askedAbove) void this.ask(state);
@@ -71,10 +74,16 @@ export class HintsPanel {
     replace(this.element, ...rows, rows.length === 0 && h("p", { className: "empty" }, nothing));
   }
 
+  /** Marks the place of a hint, and shows the contours that its edit would make. */
+  private show(hint: Hint | null): void {
+    this.mark.show(hint && this.placeOf(hint));
+    this.preview.show(hint?.edit ?? null);
+  }
+
   private row(hint: Hint): HTMLElement {
-    const place = this.placeOf(hint);
+    const place = this.placeOf(hint), show = (): void => this.show(hint), hide = (): void => this.show(null);
     const apply = h(
-      "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: () => this.mark.show(place), onpointerleave: () => this.mark.show(null), onfocus: () => this.mark.show(place), onblur: () => this.mark.show(null) },
+      "button", { className: "ghost hint", "data-hint": hint.kind, title: "Apply it", onclick: () => void this.app.edit(hint.edit), onpointerenter: show, onpointerleave: hide, onfocus: show, onblur: hide },
       h("span", {}, hint.reason), h("em", {}, hint.text),
     );
     const fly = h("button", { className: "ghost small", title: "Fly there", "aria-label": "Fly there", onclick: () => (this.mark.show(place), this.app.flyTo(place)) }, icon(icons.eye));

@@ -8,8 +8,8 @@ export type Mood = "good" | "plain" | "bad";
 export class Toasts {
   readonly element = h("div", { className: "toasts", role: "status", "aria-live": "polite" });
 
-  /** `gone` is called when the message goes away. */
-  show(title: string, text = "", mood: Mood = "plain", action?: { name: string; run: () => void }, gone?: () => void): void {
+  /** `gone` is called when the message goes away. Returns what is shown, to which more can be added. */
+  show(title: string, text = "", mood: Mood = "plain", action?: { name: string; run: () => void }, gone?: () => void): HTMLElement {
     const close = h("button", { className: "ghost small", title: "Dismiss", "aria-label": "Dismiss" }, icon(icons.close));
     const toast = h(
       "div", { className: `toast ${mood}` },
@@ -30,6 +30,7 @@ export class Toasts {
       else remove();
     };
     setTimeout(leave, mood === "bad" ? 14000 : 5000);
+    return toast;
   }
 
   /** Takes away what was told to have failed: something has worked since. */
