@@ -94,7 +94,7 @@ struct Set_extrema {
   /// Boundary loops are minima or maxima as in the design before, else as `Suggest` makes them with this
   /// axis.
   Eigen::Vector3d axis = Eigen::Vector3d(0, 0, 1);
-  bool collapse_thin = false; ///< see `Suggest`
+  bool collapse_thin = false;             ///< see `Suggest`
   std::vector<Boundary_value> boundary{}; ///< of loops that are to change
 };
 /// Designs the whole surface by a function that is given, in place of a harmonic field: its extrema and its
@@ -130,7 +130,8 @@ struct Move_extremum {
   Edit_scope scope = Edit_scope::chart;
 };
 /// Changes the value that the field has at an extremum, in [0, 1], and solves it again on the whole surface.
-/// At a vertex on the boundary, of its loop: 0 makes it a minimum, 1 a maximum, and between it stays what it is.
+/// At a vertex on the boundary, of its loop: 0 makes it a minimum, 1 a maximum, and between it stays what it
+/// is.
 struct Change_value {
   static constexpr const char* edit_name = "change_value";
   Surface_point at;
