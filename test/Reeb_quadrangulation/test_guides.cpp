@@ -261,7 +261,8 @@ TEST_CASE("a radial stroke on a flat disc is followed exactly") {
   first.extrema.push_back({{Point(0, 0, 0), -1}, false, -1});
   Editor editor = session(tiny::disc(48, 16), first, 300);
   const Guide guide = drawn(12, false, [](double t) {
-    return (6 + 7 * t) * Point(std::cos(0.3 + 0.15 * t), std::sin(0.3 + 0.15 * t), 0);
+    const double a = 0.3 + 0.15 * t, r = 6 + 7 * t;
+    return Point(r * std::cos(a), r * std::sin(a), 0);
   });
   applied(editor, Add_guide{guide});
   const Finished_design guided = finished(editor);
