@@ -113,7 +113,7 @@ private:
     double most = m_choice.least_cosine;
     for_each_outgoing(seed.vertex, [&](int h) {
       const Point way = m_mesh.points[to(h)] - m_mesh.points[seed.vertex];
-      if (const double cosine = way.dot(tangent) / way.norm(); cosine > most && goes_right(seed, way)) {
+      if (const double cosine = way.dot(tangent) / way.norm(); cosine > most && goes_right(seed, to(h))) {
         most = cosine;
         best = h;
       }
@@ -122,8 +122,10 @@ private:
   }
 
   // Whether an edge belongs to the family of lines that is wanted.
-  bool goes_right(const Feature_seed& seed, const Point& way) const {
+  bool goes_right(const Feature_seed& seed, int w) const {
     if (m_choice.way == Guide_way::nearer || m_choice.flow.empty()) return true;
+    const std::vector<Point>& points = m_choice.unbent ? *m_choice.unbent : m_mesh.points;
+    const Point way = points[w] - points[seed.vertex];
     const Surface_curve& c = m_curves[seed.curve];
     const double at = seed.t / c.length() * double(m_choice.flow.size() - 1);
     const std::size_t i = std::size_t(std::clamp(std::lround(at), 0L, long(m_choice.flow.size()) - 1));

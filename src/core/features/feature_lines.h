@@ -32,7 +32,9 @@ struct Line_choice {
   /// With `level` or `flow`, only edges that go across or along `flow` begin lines.
   Guide_way way = Guide_way::nearer;
   std::vector<Point> flow = {}; ///< directions at equal distances along every curve, or none
-  bool joins = false;           ///< a line may begin at a vertex where another ends
+  /// Where the vertices were when the family of an edge was its own; null: where they are.
+  const std::vector<Point>* unbent = nullptr;
+  bool joins = false; ///< a line may begin at a vertex where another ends
   /// The last vertex of a line goes to the end of a curve that is nearer than so many edges.
   double end_reach = 0.5;
   double step = 0; ///< lines come onto their curves by steps of so many edges; 0: in one

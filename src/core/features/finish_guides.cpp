@@ -194,6 +194,7 @@ private:
     choice.least_cosine = least_guide_cosine;
     choice.way = line.guide.way;
     choice.flow = line.flow;
+    choice.unbent = &m_quads.mesh.points;
     choice.step = guide_step;
     choice.joins = true;
     choice.end_reach = guide_end_reach;

@@ -69,9 +69,7 @@ public:
 
   Stroke stroke(bool closed) const {
     Stroke result;
-    if (closed) { // the end repeats the first point to the bit
-      CGAL_assertion(m_points.front() == m_points.back());
-    }
+    CGAL_assertion(!closed || m_points.front() == m_points.back());
     result.curve = make_surface_curve(m_points, closed);
     for (std::size_t i = 0; i + 1 < m_points.size(); ++i)
       if (m_points[i] != m_points[i + 1]) result.faces.push_back(m_faces[i]);
@@ -190,7 +188,10 @@ Result<Stroke> trace_stroke(const Surface_projector& projector, const Guide& gui
   for (std::size_t i = 0; i < ways; ++i)
     if (!tracer.join(sites[i], sites[(i + 1) % sites.size()]))
       return bad_point("has no way on the surface to the next one", different[i]);
-  return tracer.stroke(guide.closed);
+  Stroke stroke = tracer.stroke(guide.closed);
+  if (!(stroke.curve.length() > 0))
+    return make_error(Error_code::impossible_request, "the guide has no length on the surface");
+  return stroke;
 }
 
 } // namespace Reeb_quadrangulation

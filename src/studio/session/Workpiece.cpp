@@ -19,8 +19,7 @@ Json json_of(const Edit_report& report) {
   return {{"new_charts", report.new_charts},           {"removed_charts", report.removed_charts},
           {"remeshed_charts", report.remeshed_charts}, {"lost_textures", report.lost_textures},
           {"new_contours", report.new_contours},       {"removed_contours", report.removed_contours},
-          {"changed_counts", report.changed_counts},   {"remark", report.remark},
-          {"seconds", report.seconds}};
+          {"changed_counts", report.changed_counts},   {"seconds", report.seconds}};
 }
 
 Result<Edit> parse_edit(const Json& edit) {
@@ -113,17 +112,6 @@ Json deviation_json(const Deviation& deviation, const Point& origin) {
           {"lost_corners", corners},
           {"sharp_length", deviation.sharp_length},
           {"lost_sharp_length", deviation.lost_sharp_length}};
-}
-
-/// Points relative to `origin`.
-Json guide_json(const Design_guide& guide, const Point& origin) {
-  Json points = Json::array();
-  for (const Point& p : guide.guide.points)
-    points.push_back({p.x() - origin.x(), p.y() - origin.y(), p.z() - origin.z()});
-  return {{"points", points},
-          {"closed", guide.guide.closed},
-          {"strength", guide.guide.strength},
-          {"contour", guide.contour >= 0}};
 }
 
 /// An error as pages can show it: they know saddles by their vertices.
@@ -301,15 +289,13 @@ Layers Workpiece::layers() {
 
 Json Workpiece::facts() const {
   const Design& design = m_editor.design();
-  Json charts = Json::array(), extrema = Json::array(), guides = Json::array();
+  Json charts = Json::array(), extrema = Json::array();
   for (const auto& chart : design.charts) charts.push_back(chart_json(*chart));
   for (const Design_extremum& e : design.extrema)
     extrema.push_back(
         {{"vertex", e.vertex}, {"maximum", e.is_maximum}, {"value", e.value}, {"pole", name(e.pole)}});
-  for (const Design_guide& guide : design.guides) guides.push_back(guide_json(guide, m_origin));
   return {{"charts", charts},
           {"extrema", extrema},
-          {"guides", guides},
           {"target_quads", design.target_quads},
           {"edge_length", design.edge_length},
           {"fans", fan_sentence(m_fans)}};

@@ -16,7 +16,6 @@ import { ExtremumTool } from "./tools/extremum";
 import { GuidedTool, guides } from "./tools/guided";
 import { PlaneTool } from "./tools/plane";
 import { SelectTool } from "./tools/select";
-import { StrokeTool } from "./tools/stroke";
 import { TextureTool } from "./tools/texture";
 import type { Tool } from "./tools/tool";
 import { ToolBox } from "./tools/tool_box";
@@ -140,7 +139,7 @@ export class App implements Workbench {
     this.tools.divide("Limbs");
     this.tools.add(new ExtremumTool(this));
     this.tools.divide("Contours");
-    for (const tool of [guided("subdivide"), new DragContourTool(this), new PlaneTool(this), guided("contour"), new StrokeTool(this)]) this.tools.add(tool);
+    for (const tool of [guided("subdivide"), new DragContourTool(this), new PlaneTool(this), guided("contour")]) this.tools.add(tool);
     this.tools.divide("Vertices");
     for (const tool of [guided("saddle"), guided("pole"), guided("align"), new TextureTool(this)]) this.tools.add(tool);
   }

@@ -64,15 +64,6 @@ export interface ChartFacts {
   locked: boolean;
 }
 
-/** A stroke that quads follow; its points are relative to the file's `origin`. */
-export interface GuideFacts {
-  points: Vector[];
-  closed: boolean;
-  strength: number;
-  /** Whether it is a contour. */
-  contour: boolean;
-}
-
 export interface Check {
   name: string;
   status: "passed" | "failed" | "not_checked";
@@ -115,7 +106,7 @@ export interface State {
   unreadable_sessions?: string[];
   history?: HistoryStep[];
   applied?: number;
-  facts?: { charts: ChartFacts[]; guides: GuideFacts[]; target_quads: number; edge_length: number; fans: string };
+  facts?: { charts: ChartFacts[]; target_quads: number; edge_length: number; fans: string };
   /** Whether the quads are relaxed already. */
   finished?: boolean;
   budget?: { needed: number; interior: Record<string, number>; boundary: Record<string, number> };

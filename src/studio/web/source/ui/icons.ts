@@ -11,7 +11,6 @@ export const icons = {
   extremum: "M12 4l7 14H5z M12 9v4",
   plane: "M3 15l9-7 9 4-9 8z M12 8V3 M10 5l2-2 2 2",
   drag: "M4 12c5-4 11-4 16 0 M12 3v4 M10 5l2-2 2 2 M12 21v-5 M10 19l2 2 2-2",
-  guide: "M3 18c4-10 8 4 12-8 M13 6l5 5 M15 4l5 5-3 3-5-5z",
   subdivide: "M4 6c5 3 11 3 16 0 M4 12c5 3 11 3 16 0 M4 18c5 3 11 3 16 0",
   saddle: "M4 6c4 8 4 8 0 12 M20 6c-4 8-4 8 0 12 M7 12h10",
   pole: "M12 4v16 M4 12h16 M6 6l12 12 M18 6 6 18",

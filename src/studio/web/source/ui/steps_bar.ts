@@ -18,7 +18,7 @@ interface Step {
 export const steps: Record<ViewId, Step> = {
   surface: { name: "Mesh", about: "What came in", tools: [], todo: "Drag to turn it. What is odd about it stands in the tab Check. Then go on to 2 Limbs." },
   field: { name: "Limbs", about: "Where limbs end: the field and its extrema", tools: ["extremum"], todo: "Each limb that is to have quads of its own needs an extremum at its end. Then go on to 3 Contours." },
-  atlas: { name: "Contours", about: "The curves that quads follow, and the charts between them", tools: ["subdivide", "drag", "plane", "contour", "guide"], todo: "Add, move or snap contours where quads are to run along, then go on to 4 Vertices." },
+  atlas: { name: "Contours", about: "The curves that quads follow, and the charts between them", tools: ["subdivide", "drag", "plane", "contour"], todo: "Add, move or snap contours where quads are to run along, then go on to 4 Vertices." },
   quads: { name: "Vertices", about: "Where not four edges meet", tools: ["saddle", "pole", "align", "texture"], todo: "Split or align saddles and poles, or open the texture of a chart. Then go on to 5 Quads." },
   quality: { name: "Quads", about: "How many there are, and how good they are", tools: [], todo: "Ask for the number of quads. Where they are orange, another contour helps. Then go on to 6 Check." },
   deviation: { name: "Check", about: "How far the quads are from the surface", tools: [], todo: "See what is far off or lost, and what hints there are; then export the quads." },
