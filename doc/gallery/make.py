@@ -59,7 +59,8 @@ ENTRIES = [
 
 def run(program, line, work):
     """Runs one line of the program in the folder that recipes' paths start at; what it says on success."""
-    done = subprocess.run([program] + shlex.split(line.replace("OUT", shlex.quote(work))), cwd=ROOT, capture_output=True, text=True)
+    line = line.replace("@OUT@", shlex.quote(work))
+    done = subprocess.run([program] + shlex.split(line), cwd=ROOT, capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit(f"gallery: reebquad {line} ended with {done.returncode}: {done.stderr.strip()}")
     return done.stdout
@@ -73,10 +74,10 @@ def lines_of(name, shape, triangles, how):
         recipe, _, rest = rest.partition(" ")
         recipe = " " + recipe
     else:
-        rest += f" --write-recipe OUT/{name}.json"
-    made = f"{command} OUT/{name}.obj{recipe} -o OUT/{name}_quads.obj {rest}".strip()
-    return [f"shape {shape} -o OUT/{name}.obj --triangles {triangles}", f"{made} --pictures OUT/{name}",
-            f"stats OUT/{name}_quads.obj --against OUT/{name}.obj"]
+        rest += f" --write-recipe @OUT@/{name}.json"
+    made = f"{command} @OUT@/{name}.obj{recipe} -o @OUT@/{name}_quads.obj {rest}".strip()
+    return [f"shape {shape} -o @OUT@/{name}.obj --triangles {triangles}", f"{made} --pictures @OUT@/{name}",
+            f"stats @OUT@/{name}_quads.obj --against @OUT@/{name}.obj"]
 
 
 def recipe_of(name, how):
@@ -86,7 +87,7 @@ def recipe_of(name, how):
 
 def measured(program, name, work):
     """What `reebquad stats` tells about quads, as far as the page shows it."""
-    said = json.loads(run(program, f"stats OUT/{name}_quads.obj --against OUT/{name}.obj --json", work))
+    said = json.loads(run(program, f"stats @OUT@/{name}_quads.obj --against @OUT@/{name}.obj --json", work))
     certificate, statistics = said["certificate"], said["statistics"]
     valences = {v: n for v, n in certificate["interior_valences"].items() if v != "4"}
     return {"passed": certificate["passed"], "quads": statistics["quads"], "valences": valences,
@@ -114,7 +115,7 @@ def wrapped(line):
 
 def section(title, anchor, picture, words, lines, numbers, recipe):
     """One shape of the page."""
-    shown = "\n".join(wrapped("reebquad " + line.replace("OUT/", "out/")) for line in lines)
+    shown = "\n".join(wrapped("reebquad " + line.replace("@OUT@/", "out/")) for line in lines)
     return (f"\\section {anchor} {title}\n\n\\image html {picture}\n\n{words}\n\n{shown}\n\n{sentence(numbers)}\n"
             f"Its recipe: `{recipe}`.\n")
 
@@ -192,7 +193,7 @@ def check(program):
         options = "--feature-lines" if "--feature-lines" in how else ""
         with tempfile.TemporaryDirectory() as work:
             run(program, lines_of(name, shape, triangles, how)[0], work)
-            run(program, f"replay OUT/{name}.obj {recipe_of(name, how)} -o OUT/{name}_quads.obj {options} --quiet", work)
+            run(program, f"replay @OUT@/{name}.obj {recipe_of(name, how)} -o @OUT@/{name}_quads.obj {options} --quiet", work)
             for difference in differences(numbers[name], measured(program, name, work)):
                 print(f"{name}: {difference}")
                 faults += 1
@@ -209,9 +210,10 @@ def gallery_of_folder(program, folder, out, options):
         name, extension = os.path.splitext(file)
         if extension.lower() not in EXTENSIONS:
             continue
+        made = f"@OUT@/{shlex.quote(name)}"
         source = shlex.quote(os.path.abspath(os.path.join(folder, file)))
-        lines = [f"run {source} -o OUT/{name}_quads.obj {shlex.join(options)} --write-recipe OUT/{name}.json --pictures OUT/{name}",
-                 f"stats OUT/{name}_quads.obj --against {source}"]
+        lines = [f"run {source} -o {made}_quads.obj {shlex.join(options)} --write-recipe {made}.json --pictures {made}",
+                 f"stats {made}_quads.obj --against {source}"]
         try:
             run(program, lines[0] + " --force", out)
             said = run(program, lines[1], out)
@@ -219,9 +221,9 @@ def gallery_of_folder(program, folder, out, options):
             parts.append(f"## {name}\n\n{reason}\n")
             continue
         small_png.make_small(f"{out}/{name}/quads.png", f"{out}/{name}.png")
-        shown = "\n".join("    reebquad " + line.replace("OUT", out) for line in lines)
+        shown = "\n".join("    reebquad " + line.replace("@OUT@", shlex.quote(out)) for line in lines)
         told = "\n".join("    " + line for line in said.splitlines())
-        parts.append(f"## {name}\n\n![{name}]({name}.png)\n\n{shown}\n\n{told}\n\nIts recipe: [{name}.json]({name}.json)\n")
+        parts.append(f"## {name}\n\n![{name}](<{name}.png>)\n\n{shown}\n\n{told}\n\nIts recipe: [{name}.json](<{name}.json>)\n")
     with open(os.path.join(out, "gallery.md"), "w") as page_file:
         page_file.write("# Gallery\n\n" + "\n".join(parts))
     print(f"{len(parts)} meshes: {out}/gallery.md")
