@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures made small: read as the program writes them, averaged down, and written with few colours. Nothing but Python is needed."""
+"""Pictures made small: read as the program writes them, averaged down, written with few colours. Needs Python alone."""
 import struct
 import zlib
 
@@ -29,7 +29,8 @@ def unfiltered(row, before, kind, step):
             left = row[i - step] if i >= step else 0
             above = before[i]
             corner = before[i - step] if i >= step else 0
-            row[i] = (x + (left, above, (left + above) // 2, paeth(left, above, corner))[kind - 1]) & 255
+            guess = (left, above, (left + above) // 2, paeth(left, above, corner))[kind - 1]
+            row[i] = (x + guess) & 255
     return row
 
 
@@ -77,7 +78,7 @@ def averaged(rows, width):
 
 
 def palette_of(rows, colours):
-    """At most so many colours: boxes of the pixels' colours, of which that with the most to gain is halved at its median."""
+    """At most so many colours: boxes of the pixels' colours, the one with the most to gain halved at its median."""
     boxes = [[p for row in rows for p in row]]
 
     def spread(box):
@@ -105,7 +106,8 @@ def write(path, rows, colours=16):
 
     def index(pixel):
         if pixel not in nearest:
-            nearest[pixel] = min(range(len(palette)), key=lambda i: sum((a - b) ** 2 for a, b in zip(palette[i], pixel)))
+            far = [sum((a - b) ** 2 for a, b in zip(colour, pixel)) for colour in palette]
+            nearest[pixel] = far.index(min(far))
         return nearest[pixel]
 
     raw = bytearray()
@@ -119,8 +121,9 @@ def write(path, rows, colours=16):
 
     header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 4, 3, 0, 0, 0)
     with open(path, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", bytes(c for p in palette for c in p)) +
-                   chunk(b"IDAT", zlib.compress(bytes(raw), 9)) + chunk(b"IEND", b""))
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header))
+        file.write(chunk(b"PLTE", bytes(c for p in palette for c in p)))
+        file.write(chunk(b"IDAT", zlib.compress(bytes(raw), 9)) + chunk(b"IEND", b""))
 
 
 def make_small(source, target, width=200):
