@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D BUILD_DIR=... -D WORK_DIR=... -P cgal_package.cmake: installs the package as a release of CGAL has it and reads it: its
-# parts are there and no others, `dependencies` names the packages of CGAL that it includes and no others, each source has its
-# licence, no path of this machine is inside; its examples are a project that configures, with the library around them.
+# cmake -D BUILD_DIR=... -D WORK_DIR=... -P cgal_package.cmake: installs the package as a release of CGAL has
+# it and reads it: its parts are there and no others, `dependencies` names the packages of CGAL that it
+# includes and no others, each source has its licence, no path of this machine is inside; its examples are a
+# project that configures, with the library around them.
 cmake_policy(SET CMP0057 NEW)
 set(faults 0)
 
@@ -18,8 +19,9 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --component cgal
 # Its parts.
 set(information copyright dependencies description.txt license.txt long_description.txt maintainer)
 list(TRANSFORM information PREPEND package_info/Reeb_quadrangulation/)
-foreach(part IN LISTS information ITEMS include/CGAL/reeb_quadrangulation.h include/CGAL/Reeb_quadrangulation/quadrangulate.h src/core
-  examples/Reeb_quadrangulation/surface_mesh.cpp test/Reeb_quadrangulation/CMakeLists.txt benchmark/Reeb_quadrangulation
+foreach(part IN LISTS information ITEMS include/CGAL/reeb_quadrangulation.h
+  include/CGAL/Reeb_quadrangulation/quadrangulate.h src/core examples/Reeb_quadrangulation/surface_mesh.cpp
+  test/Reeb_quadrangulation/CMakeLists.txt benchmark/Reeb_quadrangulation
   doc/Reeb_quadrangulation/PackageDescription.txt doc/Reeb_quadrangulation/Reeb_quadrangulation.md LICENSE)
   if(NOT EXISTS ${package}/${part})
     fault("${part} is missing")
@@ -56,8 +58,10 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
-# Every header of CGAL says in a line "$URL: .../v5.5.1/AABB_tree/include/CGAL/..." which package it belongs to.
-file(GLOB_RECURSE sources ${package}/include/*.h ${package}/src/core/*.h ${package}/src/core/*.cpp ${package}/src/picture/*.cpp)
+# Every header of CGAL says in a line "$URL: .../v5.5.1/AABB_tree/include/CGAL/..." which package it belongs
+# to.
+file(GLOB_RECURSE sources ${package}/include/*.h ${package}/src/core/*.h ${package}/src/core/*.cpp
+  ${package}/src/picture/*.cpp)
 set(includes "")
 foreach(source IN LISTS sources)
   file(STRINGS ${source} lines REGEX "^#include <CGAL/")
@@ -100,7 +104,8 @@ foreach(name IN LISTS declared)
   endif()
 endforeach()
 
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${package}/examples/Reeb_quadrangulation -B ${WORK_DIR}/examples -G Ninja
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -S ${package}/examples/Reeb_quadrangulation -B ${WORK_DIR}/examples -G Ninja
   -D CMAKE_BUILD_TYPE=Release -D CGAL_DIR=${CGAL_DIR} -D CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
   RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
 if(NOT status EQUAL 0)
