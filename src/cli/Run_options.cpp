@@ -60,6 +60,10 @@ void declare_run_options(Command_line& line) {
        "(STL and GLB hold triangles)")                                                          //
       ("quads", value<int>("N")->default_value(3000), "about how many quads")                   //
       ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads") //
+      ("sizes", value<std::string>("FILE"),
+       "lengths of edges, instead of --quads: a number for each point of the mesh, or a PLY file with 'size' "
+       "of "
+       "its points") //
       ("adaptive", value<int>("RATIO")->implicit_value(2),
        "finer quads where the surface bends: up to RATIO times, 2 (if not given), 4 or 8")             //
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
@@ -71,7 +75,9 @@ void declare_run_options(Command_line& line) {
       ("extra-vertices", value<int>("N"),
        "the search may spend N extraordinary vertices; default: as many as pay") //
       ("dislocations", value<int>("N"),
-       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each") //
+       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each; "
+       "default: 0, "
+       "with --sizes 16") //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -144,7 +150,11 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
       choice<Effort>("--effort", line.text("effort"),
                      {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
   if (line.has("extra-vertices")) pipeline.extra_vertices = in_range(line, "extra-vertices", 0, 1000000);
-  if (line.has("dislocations")) pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
+  constexpr int dislocations_for_sizes = 16;
+  if (line.has("dislocations"))
+    pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
+  else if (line.has("sizes"))
+    pipeline.dislocations = dislocations_for_sizes;
   pipeline.extrema = placed_extrema(line);
   pipeline.suggestion.axis = point_option("--axis", line.text("axis"));
   if (pipeline.suggestion.axis.isZero()) throw Usage_error("--axis has no direction");
@@ -188,10 +198,16 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   if (line.has("write-recipe")) options.recipe = line.text("write-recipe");
   if (line.has("pictures")) options.pictures = line.text("pictures");
   if (line.has("thumbnail")) options.thumbnail = line.text("thumbnail");
-  keep_inputs(line, {{options.input, line.has("extrema") ? line.text("extrema") : "",
-                      line.has("marks") ? line.text("marks") : ""},
-                     {options.output, options.report, options.html, options.recipe, options.thumbnail},
-                     options.pictures});
+  keep_inputs(line,
+              {{options.input, line.has("extrema") ? line.text("extrema") : "",
+                line.has("marks") ? line.text("marks") : "", line.has("sizes") ? line.text("sizes") : ""},
+               {options.output, options.report, options.html, options.recipe, options.thumbnail},
+               options.pictures});
+  if (line.has("sizes")) {
+    options.sizes = line.text("sizes");
+    if (!line.values["quads"].defaulted() || line.has("edge-length") || line.has("adaptive"))
+      throw Usage_error("--sizes excludes --quads, --edge-length and --adaptive");
+  }
   options.mending = mending(line);
   options.marks = marks_request(line);
   for (const char* option : {"weld", "drop-components-below", "refuse-non-manifold"})

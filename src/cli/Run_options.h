@@ -24,6 +24,7 @@ struct Run_options {
   std::string thumbnail; ///< a PNG file; empty: none is made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
+  std::string sizes; ///< file; empty: none
   Marks_request marks;
   int component = 0;           ///< the only one to mesh, counted from 1; 0: all
   bool all_or_nothing = false; ///< write nothing unless every component is meshed

@@ -2,6 +2,7 @@
 // The report of a run as JSON; doc/Reeb_quadrangulation/report_schema.md describes it.
 #include "Mirror_output.h"
 #include "Run.h"
+#include "Sizes_output.h"
 
 #include <nlohmann/json.hpp>
 
@@ -142,6 +143,7 @@ Json component_json(const Component_run& component) {
   out["relaxation"] = relaxation_json(result.relaxation);
   out["features"] = features_json(result.features);
   out["marks"] = component.marks ? marks_json(*component.marks) : Json(nullptr);
+  out["sizes"] = component.met_sizes ? sizes_json(*component.met_sizes) : Json(nullptr);
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : result.valences)
     out["predicted_valences"][std::to_string(valence)] = number;
