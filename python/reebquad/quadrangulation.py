@@ -37,7 +37,7 @@ class Quadrangulation:
         report: all numbers, as ``reebquad run --report`` writes them.
         warnings: sentences: what was mended or left out, and what the certificate warns of.
         editors: the sessions that made the designs of the components, ready for more edits.
-        recipes: of these components; a recipe keeps neither sizes nor features.
+        recipes: of these components; a recipe keeps no features that are given.
     """
 
     vertices: NDArray[np.float64]
@@ -95,6 +95,7 @@ def quadrangulate(
     effort: str = "default",
     extra_vertices: int = -1,
     budget: float = 0.0,
+    dislocations: int = 0,
     minima: Optional[ArrayLike] = None,
     maxima: Optional[ArrayLike] = None,
     mirror: str = "none",
@@ -139,12 +140,13 @@ def quadrangulate(
         faces: (m, 3), (m, k) or a sequence of rows of any lengths, as a file has them.
         quads: about how many quads, met within 5 % where the layout permits; 3000 if no size is given.
         edge_length: the length of the quads' edges, in the unit of the vertices.
-        sizes: (n,) the length of edges at each vertex, positive; quads are subdivided where they differ.
+        sizes: (n,) the length of edges at each vertex, positive; counts, rows and ``dislocations`` meet them.
         adaptive: 2, 4 or 8: quads up to so many times finer where the surface bends. 1: none.
         effort: ``"fast"`` takes suggested extrema, ``"default"`` searches better ones, ``"best"`` longer.
         extra_vertices: so many extraordinary vertices the search may spend; negative: as many as pay.
         budget: seconds for the search, in place of the number of designs of ``effort``; 0: that number. The
             outcome then depends on the machine.
+        dislocations: so many places where columns may end or begin inside of charts.
         minima, maxima: where the field's extrema are: vertices (k,) or points (k, 3). Without both, they
             are suggested.
         mirror: the quads equal their mirror image: ``"auto"`` finds a plane of symmetry, ``"x"``, ``"y"``,

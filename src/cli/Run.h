@@ -9,6 +9,7 @@
 #include <CGAL/Reeb_quadrangulation/mesh_statistics.h>
 #include <CGAL/Reeb_quadrangulation/mirror_check.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate.h>
+#include <CGAL/Reeb_quadrangulation/sized_quads.h>
 #include <CGAL/Reeb_quadrangulation/surface_check.h>
 
 #include <optional>
@@ -22,7 +23,9 @@ struct Component_run {
   CGAL::Reeb_quadrangulation::Triangle_surface surface;
   std::optional<CGAL::Reeb_quadrangulation::Quadrangulation> result; ///< none if it failed
   CGAL::Reeb_quadrangulation::Error error;                           ///< why it failed
-  std::optional<Marks_outcome> marks;                                ///< if there are marks
+  std::optional<Marks_outcome> marks;
+  std::vector<double> sizes{}; ///< at the vertices of the surface, if they are asked for
+  std::optional<CGAL::Reeb_quadrangulation::Size_report> met_sizes{}; ///< if there are marks
 };
 
 /// Everything about a run that the screen, the report and the pictures show.

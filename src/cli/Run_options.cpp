@@ -62,6 +62,10 @@ void declare_run_options(Command_line& line) {
        "(STL and GLB hold triangles)")                                                          //
       ("quads", value<int>("N")->default_value(3000), "about how many quads")                   //
       ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads") //
+      ("sizes", value<std::string>("FILE"),
+       "lengths of edges, instead of --quads: a number for each point of the mesh, or a PLY file with 'size' "
+       "of "
+       "its points") //
       ("adaptive", value<int>("RATIO")->implicit_value(2),
        "finer quads where the surface bends: up to RATIO times, 2 (if not given), 4 or 8")             //
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
@@ -77,7 +81,9 @@ void declare_run_options(Command_line& line) {
       ("weights", value<std::string>("NAME=X,..."),
        ("what the search looks for: weights of " + names_of_weights()).c_str()) //
       ("dislocations", value<int>("N"),
-       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each") //
+       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each; "
+       "default: 0, "
+       "with --sizes 16") //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -189,7 +195,11 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
       throw Usage_error("--budget is for a search, and --effort fast has none");
   }
   if (line.has("weights")) pipeline.energy = energy_weights(line.text("weights"));
-  if (line.has("dislocations")) pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
+  constexpr int dislocations_for_sizes = 16;
+  if (line.has("dislocations"))
+    pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
+  else if (line.has("sizes"))
+    pipeline.dislocations = dislocations_for_sizes;
   pipeline.extrema = placed_extrema(line);
   if (line.has("boundary-value"))
     for (const std::string& text : line.values["boundary-value"].as<Texts>())
@@ -240,9 +250,15 @@ std::optional<Run_options> parse_run_options(const Arguments& arguments) {
   if (line.has("thumbnail")) options.thumbnail = line.text("thumbnail");
   keep_inputs(line,
               {{options.input, line.has("extrema") ? line.text("extrema") : "",
-                line.has("marks") ? line.text("marks") : "", line.has("guides") ? line.text("guides") : ""},
+                line.has("marks") ? line.text("marks") : "", line.has("guides") ? line.text("guides") : "",
+                line.has("sizes") ? line.text("sizes") : ""},
                {options.output, options.report, options.html, options.recipe, options.thumbnail},
                options.pictures});
+  if (line.has("sizes")) {
+    options.sizes = line.text("sizes");
+    if (!line.values["quads"].defaulted() || line.has("edge-length") || line.has("adaptive"))
+      throw Usage_error("--sizes excludes --quads, --edge-length and --adaptive");
+  }
   options.mending = mending(line);
   options.marks = marks_request(line);
   if (line.has("guides")) options.guides = line.text("guides");

@@ -24,6 +24,7 @@ struct Run_options {
   std::string thumbnail; ///< a PNG file; empty: none is made
   CGAL::Reeb_quadrangulation::Quadrangulation_options pipeline;
   CGAL::Reeb_quadrangulation::Mend_options mending;
+  std::string sizes; ///< file; empty: none
   Marks_request marks;
   std::string guides;          ///< a file; empty: none
   int component = 0;           ///< the only one to mesh, counted from 1; 0: all

@@ -3,6 +3,7 @@
 #include "Guides_output.h"
 #include "Mirror_output.h"
 #include "Run.h"
+#include "Sizes_output.h"
 
 #include <nlohmann/json.hpp>
 
@@ -144,6 +145,7 @@ Json component_json(const Component_run& component) {
   out["features"] = features_json(result.features);
   out["marks"] = component.marks ? marks_json(*component.marks) : Json(nullptr);
   out["guides"] = guides_json(result.guides);
+  out["sizes"] = component.met_sizes ? sizes_json(*component.met_sizes) : Json(nullptr);
   out["predicted_valences"] = Json::object();
   for (const auto& [valence, number] : result.valences)
     out["predicted_valences"][std::to_string(valence)] = number;

@@ -7,11 +7,14 @@
 #include "Input.h"
 #include "Interruption.h"
 #include "Mirror_output.h"
+#include "Sizes_input.h"
+#include "Sizes_output.h"
 #include "Terminal_observer.h"
 
 #include "automatic/components.h"
 #include "base/stage_recorder.h"
 #include "keep_freed_memory.h"
+#include "surface/size_at.h"
 #include <CGAL/Reeb_quadrangulation/IO/atomic_file.h>
 #include <CGAL/Reeb_quadrangulation/IO/recipe.h>
 #include <CGAL/Reeb_quadrangulation/surface_as_read.h>
@@ -45,6 +48,7 @@ public:
     if (m_options.marks.any())
       m_options.pipeline.marks = read_marks(m_options.marks, m_options.input, m_input);
     if (!m_options.guides.empty()) m_options.pipeline.guides = read_guides(m_options.guides, m_input.soup);
+    if (!m_options.sizes.empty()) m_sizes = read_sizes(m_options.sizes, m_input.soup);
     mend(m_input.soup);
     if (!m_options.attributes) m_input.attributes = {};
     if (m_input.attributes.empty()) m_input.soup = {}; // nobody asks again
@@ -132,7 +136,7 @@ private:
     for (std::size_t c = 0; c < m_run.components.size(); ++c) {
       Component_run& component = m_run.components[c];
       internal::Component_observer observer(m_observer, c, m_run.components.size());
-      Result<Quadrangulation> result = quadrangulate(component.surface, options[c], &observer);
+      Result<Quadrangulation> result = make_quads(component, options[c], observer);
       if (!result) {
         component.error = result.error();
         if (m_run.components.size() > 1)
@@ -146,11 +150,22 @@ private:
     warn_of_specks(options);
   }
 
+  Result<Quadrangulation> make_quads(Component_run& component, const Quadrangulation_options& options,
+                                     Observer& observer) const {
+    if (!m_sizes) return quadrangulate(component.surface, options, &observer);
+    component.sizes = m_sizes->on(component.surface);
+    const Surface_projector projector(component.surface);
+    const CGAL::Reeb_quadrangulation::internal::Size_at size(projector, component.sizes);
+    Result<Quadrangulation> result = quadrangulate(component.surface, size, options, &observer);
+    if (result) component.met_sizes = size_report(result->mesh, size);
+    return result;
+  }
+
   /// Every component has a least number of quads, whatever share of the quads it should get.
   void warn_of_specks(const std::vector<Quadrangulation_options>& options) {
     const int asked = m_options.pipeline.quads;
     const std::size_t quads = m_run.quads.quads.size();
-    if (m_options.pipeline.edge_length > 0 || double(quads) < 1.25 * asked) return;
+    if (m_options.pipeline.edge_length > 0 || m_sizes || double(quads) < 1.25 * asked) return;
     std::size_t specks = 0, least = quads;
     for (std::size_t c = 0; c < m_run.components.size(); ++c) {
       const Component_run& component = m_run.components[c];
@@ -206,7 +221,7 @@ private:
     begin("certificate");
     Certificate_input input{m_run.quads, &m_run.surface, predicted};
     input.as_read = &m_run.as_read;
-    if (m_options.pipeline.edge_length == 0) input.quads_asked = m_options.pipeline.quads;
+    if (m_options.pipeline.edge_length == 0 && !m_sizes) input.quads_asked = m_options.pipeline.quads;
     m_run.certificate = certify(input, options);
     end();
     begin("statistics");
@@ -299,11 +314,14 @@ private:
   }
 
   void print_outcome() const {
-    if (!m_options.quiet) std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
-    for (const Component_run& component : m_run.components)
-      if (component.marks && !m_options.quiet) std::cout << marks_text(*component.marks);
-    for (const Component_run& component : m_run.components)
-      if (component.result && !m_options.quiet) std::cout << guides_text(component.result->guides);
+    if (!m_options.quiet) {
+      std::cout << to_text(*m_run.certificate) << '\n' << to_text(*m_run.statistics);
+      for (const Component_run& component : m_run.components) {
+        if (component.marks) std::cout << marks_text(*component.marks);
+        if (component.result) std::cout << guides_text(component.result->guides);
+        if (component.met_sizes) std::cout << sizes_text(*component.met_sizes);
+      }
+    }
     if (m_run.mirror && !m_options.quiet) std::cout << mirror_text(*m_run.mirror_report(), *m_run.mirror);
     if (m_run.is_written()) {
       const std::size_t warnings = m_run.certificate->warnings.size();
@@ -364,6 +382,7 @@ private:
   Run_options m_options;
   Attributed_soup m_input; ///< without its soup where it has no attributes
   Run m_run;
+  std::optional<Given_sizes> m_sizes;       ///< if they are asked for
   int m_component = 0;                      ///< the one that is meshed, of several
   Exit_code m_failure = Exit_code::success; ///< of the first component that was refused or failed
   Terminal_observer m_observer;

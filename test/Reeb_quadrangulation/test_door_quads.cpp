@@ -158,7 +158,9 @@ TEST_CASE("sizes are met in the mean, coarse and fine") {
   const auto result = quadrangulate(mesh.graph, quads.graph, np, params::vertex_point_map(quads.map()));
   REQUIRE(bool(result));
   CHECK(std::abs(mean_relative_size(result->mesh, grade) - 1) <= 0.15);
-  CHECK(result->subdivided_quads > 0);
+  CHECK(result->subdivided_quads == 0);
+  const auto even = [](const Point&) { return 0.09; };
+  CHECK(size_report(result->mesh, grade).met > size_report(result->mesh, even).met);
   graded[Mesh::Vertex_index(5)] = std::numeric_limits<double>::quiet_NaN();
   const auto refused = quadrangulate(mesh.graph, quads.graph, np, params::vertex_point_map(quads.map()));
   REQUIRE(!refused);

@@ -49,6 +49,8 @@ public:
   /// \name Annuli
   /// @{
   const Height_profile& profile() const { return m_profile; }
+  /// Measures the profile anew, where lengths at each vertex of the chart count so many times. O(F)
+  void weigh_profile(const Chart& chart, const std::vector<double>& density);
   /// V of the walk's vertices as the flux of U gives it (the harmonic conjugate), one more entry than
   /// vertices: from first vertex to first vertex, increasing by 1.
   const std::vector<double>& natural(Side side) const { return m_natural[side == Side::low ? 0 : 1]; }
@@ -74,7 +76,7 @@ private:
   Result<void> solve_u(const Chart& chart);
   void choose_seam(const Chart& chart);
   void integrate_flux(const Chart& chart);
-  void measure_profile(const Chart& chart);
+  void measure_profile(const Chart& chart, const std::vector<double>* density);
   std::vector<double> lifted(const Chart& chart, int walk, const std::vector<double>& values) const;
 
   Dirichlet_problem m_problem; // shared by copies, which differ in V alone

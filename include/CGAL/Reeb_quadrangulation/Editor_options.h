@@ -24,6 +24,10 @@ struct Editor_options {
   int quads = 3000;
   /// The length of the quads' edges, in units of the surface; used instead of `quads` if positive.
   double edge_length = 0;
+  /// If not empty, the lengths that edges shall have at the vertices of the surface that the session is begun
+  /// with, linear in triangles, as far as counts, rows and dislocations can give them: `quads` and
+  /// `edge_length` are then met in the mean, so that only the ratios of these lengths count.
+  std::vector<double> sizes = {};
   /// Work on a refined copy where the surface is coarse or its triangles are needles; see
   /// `prepare_surface()`.
   bool prepare = true;

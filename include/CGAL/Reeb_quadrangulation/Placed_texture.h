@@ -21,12 +21,13 @@ struct Contour_samples {
 /// The shared parameter of each contour edge (`points` are those of the network's vertices): arc length,
 /// blended by `blend` in [0, 1] with the mean of the natural V of the annuli on its sides, where they are
 /// strictly monotone. Independent of the counts. Edges with an entry in `known` keep it, so that an edit on
-/// one side of a contour leaves the samples of the other side where they are.
+/// one side of a contour leaves the samples of the other side where they are. With a `density` for each
+/// vertex of the network, lengths count so many times there.
 std::vector<std::vector<double>> contour_parameters(const std::vector<Point>& points,
                                                     const Contour_network& network, const Atlas& atlas,
                                                     const std::vector<const Chart_parameterization*>& maps,
-                                                    double blend,
-                                                    std::vector<std::vector<double>> known = {});
+                                                    double blend, std::vector<std::vector<double>> known = {},
+                                                    const std::vector<double>& density = {});
 
 /// The positions of a walk's vertices in sample steps, from 0 at its first vertex; one more entry than
 /// vertices, the last is the walk's number of samples.

@@ -38,6 +38,9 @@ struct Quadrangulation_options {
   int quads = 3000;
   /// Length of the quads' edges in the units of the surface; 0 = use `quads`.
   double edge_length = 0;
+  /// If not empty: the lengths that edges shall have at the vertices of the surface, of which only the ratios
+  /// count; see `Editor_options::sizes`.
+  std::vector<double> sizes = {};
   /// Whether extrema are searched, see `search_extrema()`; those that are placed stay as they are.
   Effort effort = Effort::fast;
   /// Seconds for the search, in place of the number of designs that `effort` stands for; 0: that number. With

@@ -4,6 +4,7 @@
 #include "base/parallel_for.h"
 #include "base/stage_recorder.h"
 #include "domain/mirror_report.h"
+#include "surface/size_at.h"
 
 #include <CGAL/Reeb_quadrangulation/design_energy.h>
 
@@ -17,8 +18,14 @@ namespace internal {
 namespace {
 
 // What is asked of the half.
-Quadrangulation_options half_options(const Quadrangulation_options& options, const Mirror_plane& plane) {
+Quadrangulation_options half_options(const Quadrangulation_options& options, const Surface_half& part,
+                                     const Surface_projector& whole) {
+  const Mirror_plane& plane = part.plane;
   Quadrangulation_options half = options;
+  if (!options.sizes.empty()) {
+    half.sizes.clear();
+    for (const Point& p : part.surface.points) half.sizes.push_back(Size_at(whole, options.sizes)(p));
+  }
   half.mirror.reset();
   half.quads = std::max(1, (options.quads + 1) / 2);
   if (options.adaptive.quads > 0) half.adaptive.quads = std::max(1, (options.adaptive.quads + 1) / 2);
@@ -67,11 +74,11 @@ constexpr int most_planes = 3;
 constexpr int energy_samples = 4000;
 
 // What the design of a half would cost; infinite where there is none.
-double energy_of(const Triangle_surface& surface, const Mirror_plane& plane,
+double energy_of(const Surface_projector& whole, const Mirror_plane& plane,
                  const Quadrangulation_options& options, Observer& observer) {
-  const Result<Surface_half> half = halve_surface(surface, plane);
+  const Result<Surface_half> half = halve_surface(whole.surface(), plane);
   if (!half) return std::numeric_limits<double>::infinity();
-  const Quadrangulation_options asked = half_options(options, half->plane);
+  const Quadrangulation_options asked = half_options(options, *half, whole);
   Result<Recipe> recipe = automatic_recipe(asked);
   if (!recipe) return std::numeric_limits<double>::infinity();
   Result<Editor> editor = Editor::create(half->surface, recipe->options, &observer);
@@ -97,7 +104,7 @@ Result<Found_mirror> chosen_mirror(const Surface_projector& whole, const Quadran
   int tried = 0;
   for (const Found_mirror& mirror : found) {
     if ((mirror.plane.axis() >= 0) != has_axis || tried++ == most_planes) continue;
-    const double energy = energy_of(whole.surface(), mirror.plane, options, observer);
+    const double energy = energy_of(whole, mirror.plane, options, observer);
     if (observer.cancelled()) return make_error(Error_code::cancelled, "the search of mirrors was cancelled");
     if (energy >= best) continue;
     best = energy;
@@ -120,13 +127,16 @@ Result<Quadrangulation> quadrangulate_mirrored(const Triangle_surface& surface,
     return make_error(Error_code::not_a_surface, "the surface has no faces");
   Stage_recorder recorder(observer, {"mirror planes", "mirror"});
   recorder.progress("mirror planes", 0);
+  if (!options.sizes.empty())
+    if (Result<void> fine = check_sizes(surface, options.sizes); !fine) return fine.error();
   const Surface_projector whole(surface);
   const Result<Found_mirror> found = chosen_mirror(whole, options, recorder);
   if (!found) return found.error();
   const Result<Surface_half> half = halve_surface(surface, found->plane);
   if (!half) return half.error();
   recorder.end();
-  Result<Quadrangulation> result = quadrangulate(half->surface, half_options(options, half->plane), observer);
+  Result<Quadrangulation> result =
+      quadrangulate(half->surface, half_options(options, *half, whole), observer);
   if (!result) return result;
   recorder.progress("mirror", 0);
   result->recipe.mirror = Mirror{half->plane, options.mirror->positions};

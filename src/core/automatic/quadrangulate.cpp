@@ -117,6 +117,7 @@ Editor_options editor_options(const Quadrangulation_options& asked) {
   Editor_options options;
   options.quads = quads_before_subdivision(asked);
   options.edge_length = asked.edge_length;
+  options.sizes = asked.sizes;
   options.prepare = asked.prepare;
   options.sample_blend = asked.sample_blend;
   options.weights = asked.weights;
@@ -197,13 +198,21 @@ std::vector<Align_layout> alignments(Effort effort) {
 
 } // namespace
 
+namespace {
+
+// Where sizes are asked for, columns that end are a way to give them; else they are a remedy.
+constexpr double price_of_column = 8, price_with_sizes = 2;
+
+} // namespace
+
 Result<Recipe> automatic_recipe(const Quadrangulation_options& options) {
   if (const Result<void> fine = check(options); !fine) return fine.error();
   Recipe recipe;
   recipe.options = editor_options(options);
   recipe.edits.push_back(edit_of_extrema(options));
   if (options.dislocations > 0)
-    recipe.edits.push_back(Balance_columns{options.dislocations});
+    recipe.edits.push_back(
+        Balance_columns{options.dislocations, options.sizes.empty() ? price_of_column : price_with_sizes});
   else if (options.align)
     recipe.edits.push_back(alignments(options.effort).front());
   for (const Guide& guide : options.guides) recipe.edits.push_back(Add_guide{guide});

@@ -317,6 +317,7 @@ Result<Searched_extrema> search_extrema(const Editor& session, const Edit& first
   if (!copy) return Search(session, options, observer).run(first);
   Editor_options coarse = session.options();
   coarse.keep_factorization = true;
+  coarse.sizes.clear(); // extrema are where the shape asks for them
   Result<Editor> editor = Editor::create(*copy, coarse, observer);
   if (!editor) return editor.error();
   Result<Searched_extrema> found = Search(*editor, options, observer).run(first);

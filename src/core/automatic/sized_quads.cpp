@@ -16,35 +16,65 @@ constexpr int most_runs = 4;
 // How far from 1 the mean may be without another run.
 constexpr double near_enough = 0.1;
 
-struct Size_range {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0, mean = 0;
-};
-
-Result<Size_range> range_of(const Triangle_surface& surface, const Size_function& size) {
-  Size_range range;
-  int number = 0;
+// The sizes at the vertices; those of vertices without a triangle are not looked at.
+Result<std::vector<double>> sizes_on(const Triangle_surface& surface, const Size_function& size) {
+  std::vector<double> sizes(surface.points.size(), 1.0);
   for (int v = 0; v < surface.number_of_vertices(); ++v) {
     if (surface.outgoing[std::size_t(v)] < 0) continue;
-    const double s = size(surface.points[std::size_t(v)]);
+    const double s = sizes[std::size_t(v)] = size(surface.points[std::size_t(v)]);
     if (!(s > 0) || !std::isfinite(s))
       return make_error(Error_code::impossible_request, "a size is not a positive number",
                         Element_kind::vertex, v);
-    range.least = std::min(range.least, s);
-    range.greatest = std::max(range.greatest, s);
-    range.mean += s;
-    ++number;
   }
-  if (number > 0) range.mean /= number;
-  return range;
+  return sizes;
 }
 
-int ratio_for(const Size_range& range) {
-  int ratio = 1;
-  while (ratio < 8 && range.greatest > std::sqrt(2.0) * ratio * range.least) ratio *= 2;
-  return ratio;
+// The edge of as many squares of one size as there are of the sizes that are asked for.
+double mean_edge(const Triangle_surface& surface, const std::vector<double>& sizes) {
+  double quads = 0;
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    double mean = 0;
+    for (int v : surface.triangles[std::size_t(f)]) mean += 1 / (3 * sizes[std::size_t(v)]);
+    quads += mean * mean * area(surface, f);
+  }
+  return std::sqrt(area(surface) / quads);
 }
 
 } // namespace
+
+Size_report size_report(const Quad_mesh& mesh, const Size_function& size) {
+  Size_report report;
+  std::vector<std::pair<double, double>> parts; // what is met of the size, area
+  double whole = 0;
+  for (const Quad& q : mesh.quads) {
+    Point middle = Point::Zero();
+    double length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Point &a = mesh.points[std::size_t(q[i])], &b = mesh.points[std::size_t(q[(i + 1) % 4])];
+      length += 0.25 * (b - a).norm();
+      middle += 0.25 * a;
+    }
+    const Point d = mesh.points[std::size_t(q[2])] - mesh.points[std::size_t(q[0])];
+    const Point e = mesh.points[std::size_t(q[3])] - mesh.points[std::size_t(q[1])];
+    const double area = 0.5 * d.cross(e).norm(), ratio = length / size(middle);
+    whole += area;
+    report.mean += area * ratio;
+    if (std::abs(ratio - 1) <= 0.2) report.met += area;
+    parts.emplace_back(ratio, area);
+  }
+  if (!(whole > 0)) return {};
+  report.mean /= whole;
+  report.met /= whole;
+  std::sort(parts.begin(), parts.end());
+  double before = 0;
+  for (const auto& [ratio, area] : parts) {
+    for (const auto& [part, place] :
+         {std::make_pair(0.05, &report.least), {0.5, &report.median}, {0.95, &report.greatest}})
+      if (before <= part * whole) *place = ratio;
+    before += area;
+  }
+  return report;
+}
 
 double mean_relative_size(const Quad_mesh& mesh, const Size_function& size) {
   double sum = 0;
@@ -60,15 +90,17 @@ double mean_relative_size(const Quad_mesh& mesh, const Size_function& size) {
 
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Size_function& size,
                                       const Quadrangulation_options& options, Observer* observer) {
-  const Result<Size_range> range = range_of(surface, size);
-  if (!range) return range.error();
+  Result<std::vector<double>> sizes = sizes_on(surface, size);
+  if (!sizes) return sizes.error();
+  if (surface.number_of_faces() == 0)
+    return make_error(Error_code::not_a_surface, "the surface has no faces");
   Quadrangulation_options asked = options;
-  asked.adaptive.ratio = ratio_for(*range);
-  asked.edge_length = asked.adaptive.ratio == 1 ? range->mean : range->greatest;
-  double scale = 1, nearest = std::numeric_limits<double>::infinity();
+  asked.edge_length = mean_edge(surface, *sizes);
+  asked.sizes = std::move(*sizes);
+  asked.adaptive.ratio = 1;
+  double nearest = std::numeric_limits<double>::infinity();
   std::optional<Quadrangulation> best;
   for (int run = 0; run < most_runs; ++run) {
-    if (asked.adaptive.ratio > 1) asked.adaptive.size = [&](const Point& p) { return scale * size(p); };
     Result<Quadrangulation> result = quadrangulate(surface, asked, observer);
     // A size that cannot be corrected further is no reason to lose what there is, unless the user says stop.
     if (!result && (!best || result.error().code == Error_code::cancelled)) return result.error();
@@ -80,7 +112,6 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Siz
       best = std::move(*result);
     }
     if (std::abs(mean - 1) <= near_enough || !(mean > 0)) break;
-    scale /= mean;
     asked.edge_length /= mean;
   }
   return std::move(*best);

@@ -89,7 +89,7 @@ Result<Chart_parameterization> Chart_parameterization::prepare(const Chart& char
     if (Result<void> solved = p.solve_u(chart); !solved) return solved.error();
     p.choose_seam(chart);
     p.integrate_flux(chart);
-    p.measure_profile(chart);
+    p.measure_profile(chart, nullptr);
   }
   return p;
 }
@@ -184,7 +184,12 @@ void Chart_parameterization::integrate_flux(const Chart& chart) {
 }
 
 // Area and level length in each band of U; the height of a band is their quotient.
-void Chart_parameterization::measure_profile(const Chart& chart) {
+void Chart_parameterization::weigh_profile(const Chart& chart, const std::vector<double>& density) {
+  CGAL_precondition(int(density.size()) == chart.mesh.number_of_vertices());
+  measure_profile(chart, &density);
+}
+
+void Chart_parameterization::measure_profile(const Chart& chart, const std::vector<double>* density) {
   const Triangle_surface& mesh = chart.mesh;
   std::vector<double> area(profile_bins, 0.0), length(profile_bins + 1, 0.0);
   for (const Triangle& t : mesh.triangles) {
@@ -192,7 +197,8 @@ void Chart_parameterization::measure_profile(const Chart& chart) {
     std::sort(s.begin(), s.end(), [&](int a, int b) { return m_u[a] != m_u[b] ? m_u[a] < m_u[b] : a < b; });
     const double u0 = m_u[s[0]], u1 = m_u[s[1]], u2 = m_u[s[2]];
     const Point &p0 = mesh.points[s[0]], &p1 = mesh.points[s[1]], &p2 = mesh.points[s[2]];
-    const double whole = 0.5 * (p1 - p0).cross(p2 - p0).norm();
+    const double times = density ? ((*density)[t[0]] + (*density)[t[1]] + (*density)[t[2]]) / 3 : 1;
+    const double whole = 0.5 * times * times * (p1 - p0).cross(p2 - p0).norm();
     const auto below = [&](double u) { // area of the part below level u
       if (u <= u0) return 0.0;
       if (u >= u2) return whole;
@@ -209,14 +215,16 @@ void Chart_parameterization::measure_profile(const Chart& chart) {
       const Point a = p0 + (u - u0) / (u2 - u0) * (p2 - p0);
       const Point b = u < u1 ? Point(p0 + (u - u0) / (u1 - u0) * (p1 - p0))
                              : Point(p1 + (u2 > u1 ? (u - u1) / (u2 - u1) : 0.0) * (p2 - p1));
-      length[i] += (b - a).norm();
+      length[i] += times * (b - a).norm();
     }
   }
   for (int w = 0; w < 2; ++w) {
     const std::vector<int>& v = chart.walks[w].vertices;
     double sum = 0;
-    for (std::size_t i = 0; i < v.size(); ++i)
-      sum += (mesh.points[v[(i + 1) % v.size()]] - mesh.points[v[i]]).norm();
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const int a = v[i], b = v[(i + 1) % v.size()];
+      sum += (density ? 0.5 * ((*density)[a] + (*density)[b]) : 1) * (mesh.points[b] - mesh.points[a]).norm();
+    }
     length[w == 0 ? 0 : profile_bins] = sum;
   }
   m_profile.height.assign(1, 0.0);

@@ -147,6 +147,7 @@ private:
   Result<void> sample() {
     const std::vector<Point> points = network_points(m_draft.surface(), m_draft.network);
     std::vector<const Chart_parameterization*> maps;
+    const std::vector<double> density = m_draft.network_density();
     m_heights.assign(number_of_charts(), 0);
     for (int c = 0; c < number_of_charts(); ++c) {
       maps.push_back(&map(c));
@@ -154,8 +155,9 @@ private:
     }
     m_design.samples.parameter =
         contour_parameters(points, m_draft.network, m_draft.atlas(), maps, m_draft.options().sample_blend,
-                           m_before.samples.parameter);
-    Layout_sampling_problem layout = sampling_problem(points, m_draft.network, m_draft.atlas(), m_heights);
+                           m_before.samples.parameter, density);
+    Layout_sampling_problem layout =
+        sampling_problem(points, m_draft.network, m_draft.atlas(), m_heights, density);
     Sampling_options options;
     add_wishes(layout, options);
     Result<Sampling> sampling = choose_counts(layout.problem, options);

@@ -15,6 +15,20 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
+namespace {
+
+// The density at a vertex of a network.
+double density_at(const Contour_network& network, const Triangle_surface& surface,
+                  const std::vector<double>& density, int vertex) {
+  if (!network.is_crossing(vertex)) return density[std::size_t(vertex)];
+  const Edge_crossing& c = network.crossing(vertex);
+  if (c.halfedge < 0) return 1; // removed
+  return (1 - c.t) * density[std::size_t(surface.source(c.halfedge))] +
+         c.t * density[std::size_t(surface.target(c.halfedge))];
+}
+
+} // namespace
+
 Surface_solver::Surface_solver(const Triangle_surface& surface, const Editor_options& options)
     : m_surface(surface), m_options(options) {}
 
@@ -205,6 +219,24 @@ Result<void> Draft::prepare_maps() {
   });
 }
 
+std::vector<double> Draft::network_density() const {
+  if (!density) return {};
+  std::vector<double> all = *density;
+  for (std::size_t i = 0; i < network.crossings.size(); ++i)
+    all.push_back(density_at(network, m_surface, *density, network.surface_vertices + int(i)));
+  return all;
+}
+
+std::vector<double> Draft::chart_density(const Chart& chart) const {
+  const std::size_t known = chart.vertex_origin.size() - chart.split_chords.size();
+  std::vector<double> all;
+  for (std::size_t v = 0; v < chart.vertex_origin.size(); ++v)
+    all.push_back(v < known ? density_at(network, m_surface, *density, chart.vertex_origin[v])
+                            : 0.5 * (all[std::size_t(chart.split_chords[v - known][0])] +
+                                     all[std::size_t(chart.split_chords[v - known][1])]));
+  return all;
+}
+
 Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
   if (!m_maps[c]) {
     Edge_weights weights = m_options.chart_weights ? m_options.chart_weights(chart(c))
@@ -212,6 +244,8 @@ Result<std::shared_ptr<const Chart_parameterization>> Draft::map(int c) {
     Result<Chart_parameterization> map =
         Chart_parameterization::prepare(chart(c), std::move(weights), order_of(chart(c)), field_solver());
     if (!map) return map.error();
+    if (density && chart(c).kind == Chart_kind::annulus)
+      map->weigh_profile(chart(c), chart_density(chart(c)));
     m_maps[c] = std::make_shared<const Chart_parameterization>(std::move(*map));
   }
   return m_maps[c];

@@ -78,12 +78,13 @@ public:
   double column_price = 8;      ///< of these, see `Sampling_options`
   std::set<int> reset_textures; ///< by identity: charts that get a regular texture again
   std::map<int, int> replaced;  ///< contour edges that took the place of edges of the design before
-  std::shared_ptr<const Surface_field> field; ///< that the contours were last traced from
-  int collapsed_charts = 0;                   ///< thin charts that the edit has collapsed
-  double followed = 1;                        ///< see `Edit_report::followed`
-  std::vector<Design_guide> guides;           ///< of the design
-  std::string remark;                         ///< see `Edit_report::remark`
-  std::optional<Designed_field> given_field;  ///< of `Set_field`, on the surface of the draft
+  std::shared_ptr<const Surface_field> field;   ///< that the contours were last traced from
+  int collapsed_charts = 0;                     ///< thin charts that the edit has collapsed
+  double followed = 1;                          ///< see `Edit_report::followed`
+  std::vector<Design_guide> guides;             ///< of the design
+  std::string remark;                           ///< see `Edit_report::remark`
+  std::optional<Designed_field> given_field;    ///< of `Set_field`, on the surface of the draft
+  const std::vector<double>* density = nullptr; ///< per vertex of the surface; null: everywhere 1
   bool has_pushed_contours =
       false; ///< so that charts may be too thin for numbers: then their maps are checked
 
@@ -115,6 +116,8 @@ public:
   Result<std::shared_ptr<const Chart_parameterization>> map(int c);
   /// The map of an annulus, solved for its natural V.
   Result<Chart_parameterization> naturally_solved_map(int c);
+  /// How many times lengths count at the vertices of the network; empty: once.
+  std::vector<double> network_density() const;
   bool has_map(int c) const { return bool(m_maps[c]); }
 
   /// \name Elements that points mean
@@ -142,6 +145,7 @@ public:
   std::vector<int> extremal_vertices() const;
 
 private:
+  std::vector<double> chart_density(const Chart& chart) const;
   std::vector<int> changed_charts() const;
   void remember_contours();
   const Triangle_surface& m_surface;

@@ -9,6 +9,7 @@
 #include "mend/loops.h"
 
 #include "surface/lazy_projector.h"
+#include "surface/size_at.h"
 
 #include <CGAL/Reeb_quadrangulation/prepare_surface.h>
 
@@ -124,6 +125,25 @@ bool has_whole_pole(const Design& design) {
                      [](const Design_extremum& e) { return e.pole == Pole_kind::whole; });
 }
 
+// How much shorter than in the mean edges shall be at each vertex of a surface near the projector's: so that
+// as many quads of these sizes cover it as of the mean one.
+std::vector<double> density_of(const Triangle_surface& surface, const Surface_projector& projector,
+                               const std::vector<double>& sizes) {
+  const internal::Size_at size(projector, sizes);
+  std::vector<double> density;
+  for (const Point& p : surface.points) density.push_back(1 / size(p));
+  double whole = 0, quads = 0;
+  for (int f = 0; f < surface.number_of_faces(); ++f) {
+    const Triangle& t = surface.triangles[f];
+    const double mean = (density[t[0]] + density[t[1]] + density[t[2]]) / 3, part = area(surface, f);
+    whole += part;
+    quads += mean * mean * part;
+  }
+  const double scale = quads > 0 ? std::sqrt(whole / quads) : 1;
+  for (double& d : density) d *= scale;
+  return density;
+}
+
 } // namespace
 
 struct Editor::Implementation {
@@ -136,6 +156,7 @@ struct Editor::Implementation {
         !std::holds_alternative<Set_extrema>(edit) && !std::holds_alternative<Set_field>(edit))
       return refuse("the design is empty", "place extrema first");
     Draft draft(working, projector, solver, design(), options, observer);
+    if (!density.empty()) draft.density = &density;
     if (const Set_field* given = std::get_if<Set_field>(&edit)) {
       Result<Designed_field> field = field_on_working_surface(*given);
       if (!field) return field.error();
@@ -185,6 +206,7 @@ struct Editor::Implementation {
   std::optional<internal::Lazy_projector> filled_projector;
   std::vector<int> working_vertex; // of each vertex of the input; empty: both surfaces are the same
   Editor_options options;
+  std::vector<double> density; // per vertex of the working copy, if there are sizes: see `density_of()`
   Prepare_report preparation;
   internal::Lazy_projector projector{working}, input_projector{input};
   mutable Surface_solver solver{working, options};
@@ -210,6 +232,8 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
       (options.edge_length == 0 && options.quads < 1))
     return make_error(Error_code::impossible_request,
                       "the number of quads or the edge length must be positive");
+  if (!options.sizes.empty())
+    if (Result<void> fine = internal::check_sizes(surface, options.sizes); !fine) return fine.error();
   auto editor = std::make_unique<Implementation>(std::move(surface), options);
   const double h =
       options.edge_length > 0 ? options.edge_length : std::sqrt(area(editor->input) / options.quads);
@@ -231,6 +255,8 @@ Result<Editor> Editor::create(Triangle_surface surface, const Editor_options& op
   } else {
     editor->working = editor->ground();
   }
+  if (!options.sizes.empty())
+    editor->density = density_of(editor->working, *editor->input_projector, options.sizes);
   Design first;
   first.network.surface_vertices = editor->working.number_of_vertices();
   first.target_quads = options.edge_length > 0 ? 0 : editor->with_fillings(options.quads);
@@ -352,6 +378,8 @@ Result<Finished_design> Editor::finished_quads(const Finish_options& options, Ob
   if (stitched->mesh.quads.empty()) return refuse("the design is empty", "place extrema first");
   Finish_options with_threads = options;
   with_threads.relaxation.threads = internal::number_of_threads(m_implementation->options.threads);
+  if (!with_threads.adaptive.size && with_threads.adaptive.sizes.empty())
+    with_threads.adaptive.sizes = m_implementation->options.sizes;
   return finish_design(std::move(*stitched), *m_implementation->input_projector, with_threads, observer);
 }
 

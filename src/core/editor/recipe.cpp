@@ -224,6 +224,7 @@ template <class F> void fields(F& f, Remove_guide& e) {
 template <class F> void fields(F& f, Editor_options& o) {
   f("quads", o.quads);
   f.optional("edge_length", o.edge_length);
+  f.if_any("sizes", o.sizes);
   f.optional("prepare", o.prepare);
   f.optional("sample_blend", o.sample_blend);
   f.optional("weights", o.weights);
@@ -285,6 +286,9 @@ public:
   explicit Writer(Json& object) : m_object(object) {}
   template <class T> void operator()(const char* key, T& value) { m_object[key] = json(value); }
   template <class T> void optional(const char* key, T& value) { (*this)(key, value); }
+  template <class T> void if_any(const char* key, std::vector<T>& list) {
+    if (!list.empty()) (*this)(key, list);
+  }
 
 private:
   static Json json(Point& p) { return Json::array({p.x(), p.y(), p.z()}); }
@@ -328,6 +332,7 @@ public:
     m_known.insert(key);
     if (m_object.contains(key)) read(m_object[key], value, m_where + ": \"" + key + "\"");
   }
+  template <class T> void if_any(const char* key, std::vector<T>& list) { optional(key, list); }
   void know(const char* key) { m_known.insert(key); }
   void finish() const {
     for (const auto& entry : m_object.items())

@@ -340,6 +340,7 @@ private:
     std::vector<int> slot(e.properties.size(), -1);
     if (m_kept)
       for (std::size_t k = 0; k < e.properties.size(); ++k) slot[k] = slot_of(e, e.properties[k]);
+    const int sizes = m_kept ? place_of_sizes(e) : -1;
     const bool has_colours =
         std::count_if(slot.begin(), slot.end(), [](int i) { return i >= 0 && i < 3; }) == 3;
     const bool has_uv = std::count_if(slot.begin(), slot.end(), [](int i) { return i >= 3; }) == 2;
@@ -348,7 +349,7 @@ private:
       Point point;
       std::array<double, 5> extra{};
       for (std::size_t k = 0; k < e.properties.size(); ++k) {
-        if (axis[k] < 0 && slot[k] < 0) {
+        if (axis[k] < 0 && slot[k] < 0 && int(k) != sizes) {
           if (Result<void> done = skip_property(e, e.properties[k], i); !done) return done;
           continue;
         }
@@ -356,6 +357,8 @@ private:
         if (!read(e.properties[k].type, value)) return no_number(e, i);
         if (axis[k] >= 0)
           point[axis[k]] = value;
+        else if (int(k) == sizes)
+          m_kept->sizes.push_back(value);
         else
           extra[std::size_t(slot[k])] = value / (slot[k] < 3 ? full_scale(e.properties[k].type) : 1);
       }
@@ -369,6 +372,14 @@ private:
   /// The value that stands for 1 in a colour.
   static double full_scale(Ply_type type) {
     return type == Ply_type::uint8 ? 255 : type == Ply_type::uint16 ? 65535 : 1;
+  }
+
+  /// The property of points that tells sizes, or -1.
+  static int place_of_sizes(const Ply_element& e) {
+    for (const char* name : {"size", "quality"})
+      for (std::size_t k = 0; k < e.properties.size(); ++k)
+        if (e.properties[k].name == name && !e.properties[k].is_list) return int(k);
+    return -1;
   }
 
   /// Of a property of points that is kept; -1 if it is none, which is told.

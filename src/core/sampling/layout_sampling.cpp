@@ -23,10 +23,13 @@ std::vector<char> passed_twice(const Contour_network& network, const Atlas& atla
   return twice;
 }
 
-double length(const std::vector<Point>& points, const Contour_edge& edge) {
+double length(const std::vector<Point>& points, const std::vector<double>& density,
+              const Contour_edge& edge) {
   double sum = 0;
-  for (std::size_t k = 1; k < edge.vertices.size(); ++k)
-    sum += (points[edge.vertices[k]] - points[edge.vertices[k - 1]]).norm();
+  for (std::size_t k = 1; k < edge.vertices.size(); ++k) {
+    const int a = edge.vertices[k - 1], b = edge.vertices[k];
+    sum += (density.empty() ? 1 : 0.5 * (density[a] + density[b])) * (points[b] - points[a]).norm();
+  }
   return sum;
 }
 
@@ -59,7 +62,8 @@ void widen_middle_segments(const Chart& rectangle, const std::vector<char>& twic
 } // namespace
 
 Layout_sampling_problem sampling_problem(const std::vector<Point>& points, const Contour_network& network,
-                                         const Atlas& atlas, const std::vector<double>& heights) {
+                                         const Atlas& atlas, const std::vector<double>& heights,
+                                         const std::vector<double>& density) {
   Layout_sampling_problem result;
   std::vector<int> index(network.edges.size(), -1);
   const std::vector<char> twice = passed_twice(network, atlas);
@@ -68,7 +72,7 @@ Layout_sampling_problem sampling_problem(const std::vector<Point>& points, const
     const Contour_edge& edge = network.edges[i];
     if (network.is_removed(edge)) continue;
     Sampling_edge e;
-    e.length = length(points, edge);
+    e.length = length(points, density, edge);
     e.minimum = edge.from == edge.to ? 4 : 2;
     if (twice[i]) e.step = 1;
     if (between_discs(atlas, int(i))) e.minimum = 8;

@@ -19,10 +19,14 @@ void normalise(std::vector<double>& x) {
   x.back() = 1;
 }
 
-std::vector<double> arc_lengths(const std::vector<Point>& points, const Contour_edge& edge) {
+std::vector<double> arc_lengths(const std::vector<Point>& points, const std::vector<double>& density,
+                                const Contour_edge& edge) {
   std::vector<double> s{0.0};
-  for (std::size_t i = 1; i < edge.vertices.size(); ++i)
-    s.push_back(s.back() + (points[edge.vertices[i]] - points[edge.vertices[i - 1]]).norm());
+  for (std::size_t i = 1; i < edge.vertices.size(); ++i) {
+    const int a = edge.vertices[i - 1], b = edge.vertices[i];
+    const double times = density.empty() ? 1 : 0.5 * (density[a] + density[b]);
+    s.push_back(s.back() + times * (points[b] - points[a]).norm());
+  }
   if (!(s.back() > 0) || !strictly_increasing(s))
     for (std::size_t i = 0; i < s.size(); ++i)
       s[i] = double(i); // all points coincide: only the order is left
@@ -39,7 +43,8 @@ int end_of(const Walk& walk, std::size_t i) {
 std::vector<std::vector<double>> contour_parameters(const std::vector<Point>& points,
                                                     const Contour_network& network, const Atlas& atlas,
                                                     const std::vector<const Chart_parameterization*>& maps,
-                                                    double blend, std::vector<std::vector<double>> known) {
+                                                    double blend, std::vector<std::vector<double>> known,
+                                                    const std::vector<double>& density) {
   const std::size_t n = network.edges.size();
   std::vector<std::vector<double>> parameter = std::move(known), natural(n);
   parameter.resize(n);
@@ -67,7 +72,7 @@ std::vector<std::vector<double>> contour_parameters(const std::vector<Point>& po
   for (std::size_t e = 0; e < n; ++e) {
     if (network.is_removed(network.edges[e])) parameter[e].clear();
     if (network.is_removed(network.edges[e]) || !parameter[e].empty()) continue;
-    parameter[e] = arc_lengths(points, network.edges[e]);
+    parameter[e] = arc_lengths(points, density, network.edges[e]);
     if (sides[e] == 0) continue;
     std::vector<double> blended(parameter[e].size());
     for (std::size_t k = 0; k < blended.size(); ++k)

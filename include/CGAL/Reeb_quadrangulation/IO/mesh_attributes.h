@@ -23,7 +23,9 @@ struct Mesh_attributes {
   std::vector<Eigen::Vector2d> uv;
   std::vector<Eigen::Vector3d> colours; ///< red, green, blue of each point, 0 to 1
   std::vector<Face_labels> labels;      ///< at most one of each kind
-  std::string material_library;         ///< the file that describes the materials (OBJ)
+  /// The property `size` of each point, else `quality` (PLY); for who asks for it, carried over to nothing.
+  std::vector<double> sizes;
+  std::string material_library; ///< the file that describes the materials (OBJ)
   /// What the file has and what has no place here, as words for people: "normals".
   std::vector<std::string> others;
 

@@ -35,7 +35,8 @@ constexpr std::uint64_t largest_mesh_file = std::uint64_t(4) << 30;
 ///
 /// `attributes`, unless it is null, gets what the file tells beside the surface: of OBJ texture coordinates,
 /// colours, objects, groups and materials; of PLY colours (`red green blue`), texture coordinates (`texcoord`
-/// of faces; `s t`, `u v` or `texture_u texture_v` of vertices) and the numbers `object`, `group`, `material`
+/// of faces; `s t`, `u v` or `texture_u texture_v` of vertices), sizes (`size`, else `quality` of
+/// vertices) and the numbers `object`, `group`, `material`
 /// and `chart` of faces. What else is there, and what other formats have, is named in
 /// `Mesh_attributes::others`.
 ///
