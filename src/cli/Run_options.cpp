@@ -54,8 +54,7 @@ template <class T> po::typed_value<T>* value(const char* name) {
   return po::value<T>()->value_name(name);
 }
 
-void declare_run_options(Command_line& line) {
-  const double default_persistence = Suggestion_options().persistence;
+void declare_sizes_and_outputs(Command_line& line) {
   line.options.add_options() //
       ("output,o", value<std::string>("FILE"),
        "the quad mesh: OBJ, OFF, PLY, VTK, VTU, INP or MSH by its extension "
@@ -63,15 +62,18 @@ void declare_run_options(Command_line& line) {
       ("quads", value<int>("N")->default_value(3000), "about how many quads")                   //
       ("edge-length", value<double>("L"), "the length of the quads' edges, instead of --quads") //
       ("sizes", value<std::string>("FILE"),
-       "lengths of edges, instead of --quads: a number for each point of the mesh, or a PLY file with 'size' "
-       "of "
-       "its points") //
+       "lengths of edges, instead of --quads: a number for each point, or a PLY file with their 'size'") //
       ("adaptive", value<int>("RATIO")->implicit_value(2),
        "finer quads where the surface bends: up to RATIO times, 2 (if not given), 4 or 8")             //
       ("report", value<std::string>("FILE"), "write all numbers as JSON")                              //
       ("html", value<std::string>("FILE"), "write a report with an interactive view as one HTML file") //
       ("pictures", value<std::string>("DIR"), "write PNG pictures into this folder")                   //
-      ("thumbnail", value<std::string>("FILE"), "write one small PNG picture")                         //
+      ("thumbnail", value<std::string>("FILE"), "write one small PNG picture");
+}
+
+void declare_search(Command_line& line) {
+  const double default_persistence = Suggestion_options().persistence;
+  line.options.add_options() //
       ("effort", value<std::string>("EFFORT")->default_value("default"),
        "fast: suggested extrema; default, best: search better ones, so that quads keep the shape") //
       ("extra-vertices", value<int>("N"),
@@ -81,9 +83,8 @@ void declare_run_options(Command_line& line) {
       ("weights", value<std::string>("NAME=X,..."),
        ("what the search looks for: weights of " + names_of_weights()).c_str()) //
       ("dislocations", value<int>("N"),
-       "columns may end inside of charts, in N places: sizes more alike, two extraordinary vertices each; "
-       "default: 0, "
-       "with --sizes 16") //
+       "columns may end inside of charts, in N places of two extraordinary vertices, for sizes more alike; "
+       "default: 0, with --sizes 16") //
       ("write-recipe", value<std::string>("FILE"),
        "write the run as a recipe: 'replay' makes the same bytes of it, the studio edits it")        //
       ("component", value<int>("K"), "mesh the connected component K only, counted from 1")          //
@@ -93,7 +94,11 @@ void declare_run_options(Command_line& line) {
       ("axis", value<std::string>("x,y,z")->default_value("0,0,1"),
        "up: suggested extrema below the middle become minima, those above maxima") //
       ("persistence", value<double>("P")->default_value(default_persistence),
-       "how prominent a protrusion must be to get an extremum, 0 to 1")                                 //
+       "how prominent a protrusion must be to get an extremum, 0 to 1");
+}
+
+void declare_ways(Command_line& line) {
+  line.options.add_options()                                                                            //
       ("threads", value<int>("N")->default_value(0), "how many threads; 0: as many as the machine has") //
       ("align", "bring extraordinary vertices in line, where quads keep their shape: the default")      //
       ("no-align", "leave extraordinary vertices where they are: many patches in the base complex")     //
@@ -110,12 +115,10 @@ void declare_run_options(Command_line& line) {
        "quads keep edges whose faces' normals differ by more; 0: none")     //
       ("feature-lines", "lay whole lines of quads' edges onto sharp edges") //
       ("boundary-value", value<Texts>("x,y,z=KIND")->composing(),
-       "what the field is on the boundary loop nearest to a point: min, max, or min:V, max:V with V from 0 "
-       "to 1 "
-       "(repeatable)") //
+       "what the field is on the boundary loop nearest to a point: min, max, or with a value from 0 to 1 as "
+       "min:0.2 (repeatable)") //
       ("boundaries", value<std::string>("WAY")->default_value("keep"),
-       "keep: boundary loops are contours; fill: they are filled, and the quads of fillings left out in the "
-       "end") //
+       "keep: boundary loops are contours; fill: they are filled, and these quads left out in the end") //
       ("field", value<std::string>("WEIGHTS")->default_value("cotangent"),
        "weights of the field: cotangent or clamped") //
       ("validate",
@@ -127,6 +130,12 @@ void declare_run_options(Command_line& line) {
       ("no-attributes", "do not carry over texture coordinates, colours and names of the input") //
       ("timings", "print the seconds and the memory of every stage")                             //
       ("quiet", "print errors only");
+}
+
+void declare_run_options(Command_line& line) {
+  declare_sizes_and_outputs(line);
+  declare_search(line);
+  declare_ways(line);
   declare_solver(line, "multifrontal and elimination");
   declare_mending(line);
   declare_marks(line);
@@ -170,6 +179,33 @@ std::vector<Placed_extremum> placed_extrema(const Command_line& line) {
   return extrema;
 }
 
+void set_search(const Command_line& line, Quadrangulation_options& pipeline) {
+  pipeline.effort =
+      choice<Effort>("--effort", line.text("effort"),
+                     {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
+  if (line.has("extra-vertices")) pipeline.extra_vertices = in_range(line, "extra-vertices", 0, 1000000);
+  if (line.has("budget")) {
+    pipeline.budget = line.values["budget"].as<double>();
+    if (!(pipeline.budget > 0) || !std::isfinite(pipeline.budget))
+      throw Usage_error("--budget is a positive number of seconds");
+    if (pipeline.effort == Effort::fast)
+      throw Usage_error("--budget is for a search, and --effort fast has none");
+  }
+  if (line.has("weights")) pipeline.energy = energy_weights(line.text("weights"));
+}
+
+void set_mirror(const Command_line& line, Quadrangulation_options& pipeline) {
+  pipeline.mirror = mirror_request(line.text("mirror"));
+  const auto positions = choice<Mirror_positions>(
+      "--mirror-positions", line.text("mirror-positions"),
+      {{"exact", Mirror_positions::exact}, {"projected", Mirror_positions::projected}});
+  const double tolerance = in_range(line, "mirror-tolerance", 0.0, 100.0) / 100;
+  if (pipeline.mirror) {
+    pipeline.mirror->positions = positions;
+    pipeline.mirror->tolerance = tolerance;
+  }
+}
+
 void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   pipeline.quads = in_range(line, "quads", 1, 100000000);
   if (line.has("edge-length")) {
@@ -183,18 +219,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
     if (ratio != 2 && ratio != 4 && ratio != 8)
       throw Usage_error("--adaptive is 2, 4 or 8; it got " + std::to_string(ratio));
   }
-  pipeline.effort =
-      choice<Effort>("--effort", line.text("effort"),
-                     {{"fast", Effort::fast}, {"default", Effort::normal}, {"best", Effort::best}});
-  if (line.has("extra-vertices")) pipeline.extra_vertices = in_range(line, "extra-vertices", 0, 1000000);
-  if (line.has("budget")) {
-    pipeline.budget = line.values["budget"].as<double>();
-    if (!(pipeline.budget > 0) || !std::isfinite(pipeline.budget))
-      throw Usage_error("--budget is a positive number of seconds");
-    if (pipeline.effort == Effort::fast)
-      throw Usage_error("--budget is for a search, and --effort fast has none");
-  }
-  if (line.has("weights")) pipeline.energy = energy_weights(line.text("weights"));
+  set_search(line, pipeline);
   constexpr int dislocations_for_sizes = 16;
   if (line.has("dislocations"))
     pipeline.dislocations = in_range(line, "dislocations", 0, 10000);
@@ -211,15 +236,7 @@ void set_pipeline(const Command_line& line, Quadrangulation_options& pipeline) {
   if (line.has("align") && line.has("no-align"))
     throw Usage_error("--align and --no-align exclude each other");
   pipeline.align = !line.has("no-align");
-  pipeline.mirror = mirror_request(line.text("mirror"));
-  const auto positions = choice<Mirror_positions>(
-      "--mirror-positions", line.text("mirror-positions"),
-      {{"exact", Mirror_positions::exact}, {"projected", Mirror_positions::projected}});
-  const double tolerance = in_range(line, "mirror-tolerance", 0.0, 100.0) / 100;
-  if (pipeline.mirror) {
-    pipeline.mirror->positions = positions;
-    pipeline.mirror->tolerance = tolerance;
-  }
+  set_mirror(line, pipeline);
   pipeline.collapse_thin = !line.has("no-collapse");
   pipeline.relax = !line.has("no-relax");
   pipeline.features.feature_angle = in_range(line, "feature-angle", 0.0, 180.0);

@@ -43,8 +43,7 @@ struct Replay_options {
   bool quiet = false;
 };
 
-std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
-  Command_line line("replay INPUT RECIPE -o QUADS [options]");
+void declare_replay_options(Command_line& line) {
   line.options.add_options()("output,o", po::value<std::string>()->value_name("FILE"), "the quad mesh")(
       "until", po::value<int>()->value_name("K"), "apply the first K edits only")(
       "component", po::value<int>()->value_name("K"),
@@ -66,6 +65,11 @@ std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
   declare_solver(line, "what the recipe says");
   line.take("INPUT");
   line.take("RECIPE");
+}
+
+std::optional<Replay_options> parse_replay_options(const Arguments& arguments) {
+  Command_line line("replay INPUT RECIPE -o QUADS [options]");
+  declare_replay_options(line);
   if (!line.parse(arguments)) return std::nullopt;
   Replay_options options;
   options.input = line.required("INPUT");
