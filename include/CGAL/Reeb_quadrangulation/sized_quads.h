@@ -29,10 +29,11 @@ double mean_relative_size(const Quad_mesh& mesh, const Size_function& size);
 /// As `quadrangulate()`, with edges of absolute lengths: counts, rows and samples follow the sizes, and so do
 /// dislocations if `options.dislocations` permits some; see `Quadrangulation_options::sizes`. The lengths
 /// that a layout's integers and the relaxation make are measured and the run is repeated, up to four times in
-/// all, until `mean_relative_size()` is within 0.1 of 1; else the nearest result is returned. Sizes that are
-/// coarser than the layout's least counts permit are not met. `options.quads`, `edge_length` and
-/// `adaptive.ratio` are not read. Fails with `impossible_request`, naming the vertex, where the size at a
-/// vertex of the surface is not a positive finite number. \pre `surface` is connected by `connect()`.
+/// all, until the geometric mean of `mean_relative_size()` and of `size_report().mean` is within 0.1 of 1;
+/// else the nearest result is returned. Sizes that are coarser than the layout's least counts permit are not
+/// met. `options.quads`, `edge_length` and `adaptive.ratio` are not read. Fails with `impossible_request`,
+/// naming the vertex, where the size at a vertex of the surface is not a positive finite number. \pre
+/// `surface` is connected by `connect()`.
 Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Size_function& size,
                                       const Quadrangulation_options& options = {},
                                       Observer* observer = nullptr);

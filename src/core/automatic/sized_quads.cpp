@@ -105,7 +105,9 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Siz
     // A size that cannot be corrected further is no reason to lose what there is, unless the user says stop.
     if (!result && (!best || result.error().code == Error_code::cancelled)) return result.error();
     if (!result) break;
-    const double mean = mean_relative_size(result->mesh, size);
+    // Over the edges small quads count most, over the area large ones.
+    const double mean =
+        std::sqrt(mean_relative_size(result->mesh, size) * size_report(result->mesh, size).mean);
     const double miss = std::abs(std::log(mean));
     if (miss < nearest) {
       nearest = miss;
