@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -57,6 +58,20 @@ constexpr double degrees_per_edge = 20;
 double jacobian_of(const Quad_mesh& mesh, const Quad& q) {
   return scaled_jacobian(mesh.points[std::size_t(q[0])], mesh.points[std::size_t(q[1])],
                          mesh.points[std::size_t(q[2])], mesh.points[std::size_t(q[3])]);
+}
+
+// Quads whose shortest edge is less than a tenth of their longest: their angles may be good all the same.
+int squeezed_quads(const Quad_mesh& mesh) {
+  return int(std::count_if(mesh.quads.begin(), mesh.quads.end(), [&](const Quad& q) {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double d =
+          (mesh.points[std::size_t(q[i])] - mesh.points[std::size_t(q[(i + 1) % 4])]).squaredNorm();
+      least = std::min(least, d);
+      most = std::max(most, d);
+    }
+    return 100 * least < most;
+  }));
 }
 
 // Quads brought onto one guide.
@@ -180,6 +195,8 @@ private:
       reason = "quads would intersect";
     else if (on.jacobians[1] < jacobian_kept * on.jacobians[0])
       reason = "quads away from it would lose their shape";
+    else if (squeezed_quads(on.mesh) > squeezed_quads(m_quads.mesh))
+      reason = "quads would be squeezed";
     else
       return true;
     return false;

@@ -14,8 +14,9 @@ namespace internal {
 /// Brings lines of edges of finished quads onto guides, the strongest first: the line that runs nearest along
 /// a stroke, and more where it ends or leaves, with the quads around it, which are then relaxed while its
 /// vertices slide on the stroke; all others stay where they are. Of several reaches that which brings edges
-/// nearest to the stroke's direction is taken. A guide is kept only if no more quads are inverted or
-/// intersect, and if the mean scaled Jacobian of the quads that do not touch it is not lower by more than 2
+/// nearest to the stroke's direction is taken. A guide is kept only if no more quads are inverted,
+/// intersect or have an edge shorter than a tenth of another, and if the mean scaled Jacobian of the quads
+/// that do not touch it is not lower by more than 2
 /// %. For a guide of less than full strength, every vertex goes that part of its way. `constraints` are what
 /// holds the quads besides; `quads.relaxation` is brought up to date. Fails with `cancelled`.
 Result<void> finish_on_guides(Finished_quads& quads, const Surface_projector& projector,
