@@ -285,7 +285,8 @@ struct Made {
   int collapsed = 0;
   std::array<int, 2> base_patches{{0, 0}};
   std::optional<Search_step> alignment;
-  double gain = 0; // by how much the energy fell
+  double gain = 0;    // by how much the energy fell
+  std::string remark; // on what was asked for and is not there; or empty
 };
 
 // 0 where it is not told.
@@ -382,11 +383,13 @@ Result<Made> make(Editor& editor, Recipe& recipe, const Quadrangulation_options&
     const Result<Edit_report> done = editor.apply(recipe.edits[i], &observer);
     const bool can_do_without = std::holds_alternative<Balance_columns>(recipe.edits[i]);
     if (!done && (!can_do_without || done.error().code == Error_code::cancelled)) return done.error();
-    if (done) made.collapsed += done->collapsed_charts;
-    if (done)
+    if (done) {
+      made.collapsed += done->collapsed_charts;
       ++i;
-    else
+    } else {
+      made.remark = "no columns end inside of charts: " + done.error().message;
       recipe.edits.erase(recipe.edits.begin() + std::ptrdiff_t(i));
+    }
   }
   if (options.align && options.dislocations == 0)
     if (Result<void> done = align(editor, recipe, options, made, observer); !done) return done.error();
@@ -448,6 +451,8 @@ Result<Quadrangulation> quadrangulate(const Triangle_surface& surface, const Qua
     if (!steps->empty()) made->alignment->energy = steps->back().energy - made->gain;
     steps->push_back(std::move(*made->alignment));
   }
+  if (!made->remark.empty())
+    steps->push_back({std::move(made->remark), steps->empty() ? 0 : steps->back().energy});
   const int flipped = flipped_triangles(editor->design());
   Finished_design& finished = made->finished;
   Stitched_mesh& quads = finished.quads;
