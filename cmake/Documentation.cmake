@@ -38,8 +38,18 @@ if(DOXYGEN_FOUND AND TARGET reebquad AND REEBQUAD_TESTS)
     COMMAND ${CMAKE_COMMAND} -E make_directory ${figure_dir}
     COMMAND $<TARGET_FILE:example_texture_pictures> ${figure_dir}
     DEPENDS example_texture_pictures COMMENT "Drawing the texture operators" VERBATIM)
+  # Two programs of the course draw their own pictures.
+  set(course_figures "")
+  foreach(name course_reeb_graph course_texture_traits)
+    if(TARGET example_${name})
+      add_custom_command(OUTPUT ${figure_dir}/${name}.png
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${figure_dir} COMMAND $<TARGET_FILE:example_${name}> ${figure_dir}
+        DEPENDS example_${name} COMMENT "Drawing ${name}" VERBATIM)
+      list(APPEND course_figures ${figure_dir}/${name}.png)
+    endif()
+  endforeach()
   add_custom_target(doc COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/doc/Doxyfile
-    DEPENDS ${figure_dir}/quads.png ${figure_dir}/texture_move_vertices.svg ${studio_figure}
+    DEPENDS ${figure_dir}/quads.png ${figure_dir}/texture_move_vertices.svg ${course_figures} ${studio_figure}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Making the manual" VERBATIM)
 endif()
 # The pictures of README.md, which are committed: `--target readme` makes them anew.

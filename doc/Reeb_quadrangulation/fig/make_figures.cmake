@@ -46,6 +46,13 @@ foreach(design l-shape:l_shape_polycube twisted-bar:twisted_bar bitorus:bitorus_
     --pictures ${work}/design_${recipe} --quiet)
   show(design_${recipe} quads)
 endforeach()
+# The course: the field of its second program and the charts of its fourth, the Reeb graph of its third and the quads of its fifth.
+run(shape torus -o ${work}/torus_4000.obj --triangles 4000)
+run(run ${work}/torus_4000.obj -o ${work}/course_torus.obj --quads 1000 --min 1.4,0,0 --max -1.4,0,0 --effort fast
+  --pictures ${work}/course_torus --quiet)
+show(course_torus field charts)
+run(run ${work}/bitorus.obj -o ${work}/course_bitorus.obj --quads 1500 --effort fast --pictures ${work}/course_bitorus --quiet)
+show(course_bitorus reeb_graph quads)
 run(polygons ${work}/hand_quads.obj -o ${work}/hand_hex.obj --on ${work}/hand.obj --picture ${OUT}/hexagons.png)
 
 set(figure_dir ${CMAKE_CURRENT_LIST_DIR})
