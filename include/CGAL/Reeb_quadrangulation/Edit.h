@@ -434,8 +434,8 @@ using Edit =
                  Remove_contour, Align_saddles, Collapse_chart, Collapse_thin_charts, Split_pole, Move_corner,
                  Split_saddle, Pin_corners, Set_target, Set_columns, Set_rows, Set_shift, Set_grading,
                  Add_dislocation, Remove_dislocation, Balance_columns, Lock_chart, Align_layout, Edit_texture,
-                 Drag_vertices, Relax_texture, Snap_vertices, Reset_texture, Fit_texture, Add_guide, Move_guide,
-                 Remove_guide>;
+                 Drag_vertices, Relax_texture, Snap_vertices, Reset_texture, Fit_texture, Add_guide,
+                 Move_guide, Remove_guide>;
 
 /// The name of an edit in recipes and messages: "subdivide_chart".
 const char* name(const Edit& edit);
