@@ -141,7 +141,7 @@ TEST_CASE("what lies on sharp edges stays there, and the finished quads meet no 
     const Mesh_statistics fitted = finished(editor);
     CHECK(*raw.covered_sharp_edges > *plain.covered_sharp_edges + 0.1);
     CHECK(*fitted.covered_sharp_edges >= *raw.covered_sharp_edges);
-    CHECK(*fitted.folded_sharp_edges > 0.6);
+    CHECK(*fitted.folded_sharp_edges > 0.75);
     CHECK(fitted.inverted_quads == 0);
   }
   // The diagonals between vertices that are held on sharp edges are the ones that quads are cut along.

@@ -22,8 +22,8 @@ constexpr double on_it = 0.01;
 // Quads without defects that snapping spoils are mended within a few attempts or, as a rule, not at all.
 constexpr int attempts_of_good_quads = 4;
 
-// Quads that were relaxed before they were laid onto sharp edges need no more sweeps than these: what bends
-// is near by.
+// Before and while quads are laid onto sharp edges they get so many sweeps: more would pull them off edges
+// that they nearly meet. All the others come once it is decided what is kept.
 constexpr int sweeps_onto_features = 20;
 
 // So often chains are refused; each time quads are snapped and relaxed anew.
@@ -38,6 +38,10 @@ constexpr double poor_quad = 0.3;
 
 // The least scaled Jacobian that quads on sharp edges should have, and what part of these a lower one costs.
 constexpr double good_worst = 0.5, price_of_worst = 0.5;
+
+// What the sweeps in the end may cost of that, for each part that is not kept: where most is lost, the shape
+// is smooth, and its edges that happen to be sharp come and go.
+constexpr double loss_of_settling = 0.06;
 
 // Bold lines are laid over quads as bad as this: most of them get good again around the line.
 constexpr double bold_worst = 0.1;
@@ -94,14 +98,15 @@ private:
     Finished_quads plain;
     plain.mesh = std::move(mesh);
     Finished_quads freer = plain; // what lies on sharp edges may go too, where quads are bad otherwise
-    if (Result<void> relaxed = relax(plain, designed(plain.mesh), m_relaxation); !relaxed)
-      return relaxed.error();
+    const bool has_features = !m_features.edges.chains.empty() || !m_features.points.empty();
+    Relax_options first = m_relaxation;
+    if (has_features) first.iterations = std::min(first.iterations, sweeps_onto_features);
+    if (Result<void> relaxed = relax(plain, designed(plain.mesh), first); !relaxed) return relaxed.error();
     if (plain.relaxation.inverted_after + plain.relaxation.intersections_after > 0) {
-      if (Result<void> relaxed = relax(freer, held(freer.mesh), m_relaxation); !relaxed)
-        return relaxed.error();
+      if (Result<void> relaxed = relax(freer, held(freer.mesh), first); !relaxed) return relaxed.error();
       if (is_worse(plain.relaxation, freer.relaxation)) plain = std::move(freer);
     }
-    if (m_features.edges.chains.empty() && m_features.points.empty()) return plain;
+    if (!has_features) return plain;
     std::optional<Candidate> best;
     const std::vector<Way> all = ways();
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -110,20 +115,61 @@ private:
       if (*found && (!best || (*found)->worth() > best->worth())) best = std::move(**found);
       if (best && best->refused == 0 && !all[i].lines.first) break; // what follows keeps less
     }
-    return best ? std::move(best->quads) : std::move(plain);
+    if (best) return settled(std::move(best->quads), std::move(best->onto));
+    Vertex_constraints onto = designed(plain.mesh);
+    return settled(std::move(plain), std::move(onto));
+  }
+
+  // The other sweeps, with what lies on features sliding along them. They may hardly cost any of these.
+  Result<Finished_quads> settled(Finished_quads quads, Vertex_constraints onto) const {
+    if (m_relaxation.iterations <= sweeps_onto_features) return quads;
+    Finished_quads after = quads;
+    onto.fixed.resize(quads.mesh.points.size(), 0);
+    for (int v : quads.relaxation.off_surface) onto.fixed[std::size_t(v)] = 1;
+    if (Result<void> relaxed = relax(after, onto, gentle(quads.relaxation)); !relaxed) return relaxed.error();
+    turn_to_features(after.mesh, onto);
+    const double before = kept(quads.mesh);
+    const double loss = worth(before, quads.relaxation) - worth(kept(after.mesh), after.relaxation);
+    if (is_worse(after.relaxation, quads.relaxation) ||
+        loss > (m_is_given ? 0 : loss_of_settling * (1 - before)))
+      return quads;
+    keep_history(quads.relaxation, after.relaxation);
+    return after;
+  }
+
+  // Quads that are spoilt by what is done to them, and not soon mended, are better left as they were.
+  Relax_options gentle(const Relax_report& before) const {
+    Relax_options result = m_relaxation;
+    if (before.inverted_after + before.intersections_after == 0)
+      result.attempts = std::min(result.attempts, attempts_of_good_quads);
+    // Quads that are raised turn away from what they were laid onto, which the user has asked for.
+    if (m_is_given) result.wanted = 0;
+    return result;
+  }
+
+  // What one relaxation has found and done, the report of a later one tells too.
+  static void keep_history(const Relax_report& before, Relax_report& after) {
+    after.worst_before = before.worst_before;
+    after.mean_before = before.mean_before;
+    after.inverted_before = before.inverted_before;
+    after.off_surface.insert(after.off_surface.begin(), before.off_surface.begin(), before.off_surface.end());
+    after.largest_offset = std::max(after.largest_offset, before.largest_offset);
   }
 
   // Quads on features, and how much of these they keep.
   struct Candidate {
     Finished_quads quads;
+    Vertex_constraints onto;
     double kept = 0;
     int refused = 0; // chains
 
-    // What is kept, less what the worst quad is below a good one.
-    double worth() const {
-      return kept - price_of_worst * std::max(0.0, good_worst - quads.relaxation.worst_after);
-    }
+    double worth() const { return Finisher::worth(kept, quads.relaxation); }
   };
+
+  // What is kept, less what the worst quad is below a good one.
+  static double worth(double kept, const Relax_report& relaxation) {
+    return kept - price_of_worst * std::max(0.0, good_worst - relaxation.worst_after);
+  }
 
   // A way onto the features.
   struct Way {
@@ -147,7 +193,8 @@ private:
       if (!snapped) return snapped.error();
       if (!is_worse(snapped->quads.relaxation, plain.relaxation)) {
         const double part = kept(snapped->quads.mesh);
-        return std::optional<Candidate>(Candidate{std::move(snapped->quads), part, refused});
+        return std::optional<Candidate>(
+            Candidate{std::move(snapped->quads), std::move(snapped->onto), part, refused});
       }
       const std::vector<int> guilty = blamed(plain, *snapped);
       if (guilty.empty()) break;
@@ -229,13 +276,8 @@ private:
     Finished_quads& quads = result.quads;
     quads = plain;
     const Relax_report before = plain.relaxation;
-    // Good quads that are spoilt by this, and not soon mended, are better left as they were.
-    Relax_options gentle = m_relaxation;
-    gentle.iterations = std::min(gentle.iterations, sweeps_onto_features);
-    if (before.inverted_after + before.intersections_after == 0)
-      gentle.attempts = std::min(gentle.attempts, attempts_of_good_quads);
-    // Quads that are raised turn away from what they were laid onto, which the user has asked for.
-    if (m_is_given) gentle.wanted = 0;
+    Relax_options few = gentle(before);
+    few.iterations = std::min(few.iterations, sweeps_onto_features);
     std::vector<int> left = before.off_surface;
     double offset = before.largest_offset;
     const int rounds = way.snapping.crossings ? rounds_onto_crossings : 1;
@@ -248,14 +290,13 @@ private:
         quads = plain;
         return result;
       }
-      if (Result<void> relaxed = relax(quads, onto, gentle); !relaxed) return relaxed.error();
+      if (Result<void> relaxed = relax(quads, onto, few); !relaxed) return relaxed.error();
       left.insert(left.end(), quads.relaxation.off_surface.begin(), quads.relaxation.off_surface.end());
       offset = std::max(offset, quads.relaxation.largest_offset);
       quads.relaxation.off_surface = left;
       quads.relaxation.largest_offset = offset;
       turn_to_features(quads.mesh, onto);
       result.onto = std::move(onto);
-      if (is_worse(quads.relaxation, before)) break; // chains are to be refused first
     }
     quads.relaxation.worst_before = before.worst_before;
     quads.relaxation.mean_before = before.mean_before;

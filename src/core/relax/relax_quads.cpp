@@ -172,16 +172,17 @@ Result<void> check(const Quad_mesh& mesh, const Vertex_constraints& constraints,
 }
 
 // What bends a whole chart goes in sweeps that step too far, which is successive over-relaxation: sixty of
-// them come as far as two hundred others. The last ones do not, so that vertices come to rest.
+// them come as far as two hundred others. A few sweeps are for what is near by, and do not; nor do the last
+// ones, so that vertices come to rest.
 constexpr double long_stride = 1.6;
-constexpr int resting_sweeps = 5;
+constexpr int few_sweeps = 20, resting_sweeps = 5;
 
 // The i-th of so many sweeps. Steps may make a quad worse down to a quality that is good enough, and in the
 // first half of the sweeps to a lower one; but never worse than the worst quad of all was.
 relaxation::Sweep sweep(int i, int sweeps, double worst) {
   const bool early = i < sweeps / 2;
-  const bool resting = i >= sweeps - std::min(resting_sweeps, sweeps / 4);
-  return {std::max(early ? 0.2 : 0.5, worst), early, nullptr, resting ? 1 : long_stride};
+  const bool strides = sweeps > few_sweeps && i < sweeps - resting_sweeps;
+  return {std::max(early ? 0.2 : 0.5, worst), early, nullptr, strides ? long_stride : 1};
 }
 
 // Inverted quads count most. Where there are none, neither the worst quad nor the mean may get worse.
@@ -197,7 +198,9 @@ bool relax_further(State& state, int most, double worst, Observer* observer) {
     if (observer && observer->cancelled()) return false;
     if (observer) observer->progress("relax further", double(i) / most);
     if (i % between_measures == 0 && mesh_quality(state.mesh).mean >= good_mean) break;
-    if (relaxation::smooth(state, {}, sweep(i, most, worst)) == 0) break;
+    relaxation::Sweep careful = sweep(i, most, worst);
+    careful.stride = 1;
+    if (relaxation::smooth(state, {}, careful) == 0) break;
   }
   return true;
 }
