@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A plugin of CGAL's demo of polyhedra: the operation "Quadrangulate (Reeb atlas)" makes quads of the
 // triangle mesh that is selected.
+#include <CGAL/Reeb_quadrangulation/certify_quads.h>
 #include <CGAL/Reeb_quadrangulation/quadrangulate_components.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -18,14 +19,19 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QFormLayout>
 #include <QMainWindow>
 #include <QProgressDialog>
 #include <QSpinBox>
+#include <QThread>
 
+#include <algorithm>
 #include <atomic>
-#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -75,11 +81,11 @@ bool read_options(const Request& request, RQ::Quadrangulation_options& options, 
   options.features.feature_angle = request.feature_angle;
   options.keep_features = request.item_features || request.feature_angle > 0;
   if (!read_effort(request.effort, options.effort)) {
-    error = "there is no effort '" + request.effort + "'";
+    error = "there is no effort '" + request.effort + "', but fast, default and best";
     return false;
   }
   if (!read_mirror(request.mirror, options.mirror)) {
-    error = "there is no mirror '" + request.mirror + "'";
+    error = "there is no mirror '" + request.mirror + "', but none, auto, x, y and z";
     return false;
   }
   if (options.mirror && request.item_features) {
@@ -93,20 +99,36 @@ bool read_options(const Request& request, RQ::Quadrangulation_options& options, 
 class Progress : public RQ::Observer {
 public:
   explicit Progress(QWidget* parent) : m_dialog("Quadrangulating", "Cancel", 0, 100, parent) {
-    m_dialog.setWindowModality(Qt::WindowModal);
+    m_dialog.setWindowModality(Qt::ApplicationModal); // nobody may close the item that is worked on
+    m_dialog.setMinimumDuration(1000);
     m_dialog.setAutoClose(false);
     m_dialog.setAutoReset(false);
+    m_since_events.start();
   }
   void progress(const std::string& stage, double fraction) override {
     m_dialog.setLabelText(QString::fromStdString(stage));
-    m_dialog.setValue(int(100 * fraction)); // a modal dialog lets the button be pressed meanwhile
-    if (m_dialog.wasCanceled()) m_cancelled = true;
+    m_dialog.setValue(int(100 * fraction));
+    handle_events();
   }
-  bool cancelled() const override { return m_cancelled; } // asked by several threads
+  // Stages may be long, and tell no progress: it is here that the dialog appears and its button is pressed.
+  bool cancelled() const override {
+    if (QThread::currentThread() == m_dialog.thread()) handle_events(); // several threads ask
+    return m_cancelled;
+  }
 
 private:
+  void handle_events() const {
+    if (m_since_events.elapsed() < 50) return;
+    // Before the dialog is there to block the other windows, no user may do anything.
+    QApplication::processEvents(m_dialog.isVisible() ? QEventLoop::AllEvents
+                                                     : QEventLoop::ExcludeUserInputEvents);
+    m_since_events.restart();
+    if (m_dialog.wasCanceled()) m_cancelled = true;
+  }
+
   QProgressDialog m_dialog;
-  std::atomic<bool> m_cancelled{false};
+  mutable QElapsedTimer m_since_events;
+  mutable std::atomic<bool> m_cancelled{false};
 };
 
 /// The dialog; false if it was cancelled.
@@ -156,25 +178,36 @@ bool features_of(const SMesh& mesh, Feature_map& features) {
   return false;
 }
 
-/// Quads of all components, added to `quads`; their charts are the property "f:chart".
-RQ::Result<std::vector<RQ::Quadrangulation>> run(const SMesh& mesh, const Request& request,
-                                                 const RQ::Quadrangulation_options& options,
-                                                 RQ::Observer& observer, SMesh& quads) {
-  const auto charts = quads.add_property_map<SMesh::Face_index, int>("f:chart", -1).first;
-  const auto asked = RQ::parameters::options(options).observer(&observer).quad_chart_map(charts);
+using Components = std::vector<RQ::Quadrangulation>;
+
+/// Quads of all components, added to `quads`.
+RQ::Result<Components> run(const SMesh& mesh, const Request& request,
+                           const RQ::Quadrangulation_options& options, RQ::Observer& observer, SMesh& quads) {
+  const auto asked = RQ::parameters::options(options).observer(&observer);
+  if (!request.item_features) return RQ::quadrangulate_components(mesh, quads, asked);
   Feature_map features;
-  if (request.item_features && features_of(mesh, features))
-    return RQ::quadrangulate_components(mesh, quads, asked.edge_is_constrained_map(features));
-  return RQ::quadrangulate_components(mesh, quads, asked);
+  if (!features_of(mesh, features))
+    return RQ::make_error(RQ::Error_code::impossible_request, "no edge of the item is marked as a feature");
+  return RQ::quadrangulate_components(mesh, quads, asked.edge_is_constrained_map(features));
 }
 
-/// Gives charts the colours that the demo has for patches. An item must exist before its mesh has patches.
-void colour_charts(Scene_surface_mesh_item& item) {
+/// Gives charts the colours that the demo has for patches. An item must exist before its mesh has patches:
+/// the demo draws an item as it is made, when it has no colours for them yet.
+void colour_charts(const Components& components, Scene_surface_mesh_item& item) {
   item.setItemIsMulticolor(true);
+  item.computeItemColorVectorAutomatically(true); // without it the demo reads colours that there are not
   SMesh& quads = *item.face_graph();
-  const auto charts = quads.property_map<SMesh::Face_index, int>("f:chart").first;
   auto patches = quads.property_map<SMesh::Face_index, int>("f:patch_id").first;
-  for (const SMesh::Face_index f : quads.faces()) patches[f] = charts[f];
+  auto face = quads.faces().begin(); // faces are in the order of the components' quads
+  int first = 0;
+  for (const RQ::Quadrangulation& component : components) {
+    int charts = 0; // every component counts its own from 0
+    for (const int chart : component.chart_of_quad) {
+      patches[*face++] = first + chart;
+      charts = std::max(charts, chart + 1);
+    }
+    first += charts;
+  }
   item.invalidateOpenGLBuffers();
 }
 
@@ -183,7 +216,7 @@ void tell(const RQ::Certificate& certificate) {
   int extraordinary = 0;
   for (const auto& [valence, number] : certificate.interior_valences)
     if (valence != 4) extraordinary += number;
-  const QString summary = QString("Certificate %1: %2 quads, %3 extraordinary vertices, %4 components")
+  const QString summary = QString("Certificate %1: %2 quads, extraordinary vertices: %3, components: %4")
                               .arg(certificate.passed ? "passed" : "FAILED")
                               .arg(certificate.quads)
                               .arg(extraordinary)
@@ -247,6 +280,12 @@ private:
     Three::error("Quadrangulate (Reeb atlas): " + sentence);
     return false;
   }
+  bool refuse(const RQ::Error& error) {
+    const QString sentence = QString::fromStdString(error.message);
+    if (error.code != RQ::Error_code::cancelled) return refuse(sentence);
+    Three::information("Quadrangulate (Reeb atlas): " + sentence); // no error, for the user asked for it
+    return false;
+  }
 
   bool make_quads(const Request& request) {
     Scene_surface_mesh_item* item = selected();
@@ -254,18 +293,23 @@ private:
     RQ::Quadrangulation_options options;
     QString error;
     if (!read_options(request, options, error)) return refuse(error);
+    const Three::CursorScopeGuard busy(Qt::BusyCursor);
     const SMesh& mesh = *item->face_graph();
     SMesh quads;
     Progress progress(m_window);
-    const auto result = run(mesh, request, options, progress, quads);
-    if (!result) return refuse(QString::fromStdString(result.error().message));
-    const auto certificate = RQ::certify(quads, mesh);
-    if (!certificate) return refuse(QString::fromStdString(certificate.error().message));
+    const auto components = run(mesh, request, options, progress, quads);
+    if (!components) return refuse(components.error());
+    progress.progress("certificate", 1);
+    RQ::Certificate_options measures;
+    measures.observer = &progress;
+    const auto certificate = RQ::certify(quads, mesh, RQ::parameters::options(measures));
+    if (!certificate) return refuse(certificate.error());
     tell(*certificate);
+    if (progress.cancelled()) Three::warning("The certificate was cancelled: not all of it is measured.");
     auto* quad_item = new Scene_surface_mesh_item(std::move(quads));
     quad_item->setName(item->name() + " (quads)");
     quad_item->setRenderingMode(FlatPlusEdges);
-    colour_charts(*quad_item);
+    colour_charts(*components, *quad_item);
     item->setVisible(false);
     m_scene->setSelectedItem(m_scene->addItem(quad_item));
     return true;
