@@ -60,7 +60,10 @@ double jacobian_of(const Quad_mesh& mesh, const Quad& q) {
                          mesh.points[std::size_t(q[2])], mesh.points[std::size_t(q[3])]);
 }
 
-// Quads whose shortest edge is less than a tenth of their longest: their angles may be good all the same.
+// Quads whose shortest edge is less than that part of their longest: their angles may be good all the same.
+// Few may be, for each vertex that lies on the guide.
+constexpr double squeezed = 1.0 / 30, squeezed_part = 0.1;
+
 int squeezed_quads(const Quad_mesh& mesh) {
   return int(std::count_if(mesh.quads.begin(), mesh.quads.end(), [&](const Quad& q) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -70,7 +73,7 @@ int squeezed_quads(const Quad_mesh& mesh) {
       least = std::min(least, d);
       most = std::max(most, d);
     }
-    return 100 * least < most;
+    return least < squeezed * squeezed * most;
   }));
 }
 
@@ -195,7 +198,8 @@ private:
       reason = "quads would intersect";
     else if (on.jacobians[1] < jacobian_kept * on.jacobians[0])
       reason = "quads away from it would lose their shape";
-    else if (squeezed_quads(on.mesh) > squeezed_quads(m_quads.mesh))
+    else if (squeezed_quads(on.mesh) >
+             squeezed_quads(m_quads.mesh) + int(squeezed_part * double(on.places.size())))
       reason = "quads would be squeezed";
     else
       return true;
