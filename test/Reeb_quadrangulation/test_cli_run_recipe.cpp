@@ -13,10 +13,12 @@ void check_same_bytes(const std::string& input, const std::vector<std::string>& 
                     replayed = folder.path("replay.obj");
   std::vector<std::string> arguments{"run", input, "-o", run_quads, "--write-recipe", recipe, "--quiet"};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  const Outcome run = reebquad(arguments);
+  Limits limits;
+  limits.seconds = 600; // real meshes on a busy machine
+  const Outcome run = reebquad(arguments, limits);
   INFO(input << ": " << run.err);
   REQUIRE(run.code == 0);
-  const Outcome replay = reebquad({"replay", input, recipe, "-o", replayed, "--quiet"});
+  const Outcome replay = reebquad({"replay", input, recipe, "-o", replayed, "--quiet"}, limits);
   INFO(replay.err);
   REQUIRE(replay.code == 0);
   CHECK((contents(run_quads) == contents(replayed)));
