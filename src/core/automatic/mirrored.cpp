@@ -23,8 +23,9 @@ Quadrangulation_options half_options(const Quadrangulation_options& options, con
   const Mirror_plane& plane = part.plane;
   Quadrangulation_options half = options;
   if (!options.sizes.empty()) {
+    const Size_at size(whole, options.sizes);
     half.sizes.clear();
-    for (const Point& p : part.surface.points) half.sizes.push_back(Size_at(whole, options.sizes)(p));
+    for (const Point& p : part.surface.points) half.sizes.push_back(size(p));
   }
   half.mirror.reset();
   half.quads = std::max(1, (options.quads + 1) / 2);

@@ -196,10 +196,6 @@ std::vector<Align_layout> alignments(Effort effort) {
   return {with_counts, turns_alone, careful};
 }
 
-} // namespace
-
-namespace {
-
 // Where sizes are asked for, columns that end are a way to give them; else they are a remedy.
 constexpr double price_of_column = 8, price_with_sizes = 2;
 

@@ -66,16 +66,19 @@ public:
     m_found.first_energy = m_best.energy;
     m_most_vertices =
         m_options.extra_vertices < 0 ? -1 : m_best.parts.extraordinary + m_options.extra_vertices;
-    const auto collapse = [](const auto& edit) { return edit.collapse_thin; };
-    m_edit.collapse_thin = std::holds_alternative<Suggest>(first) ? collapse(std::get<Suggest>(first))
-                                                                  : collapse(std::get<Set_extrema>(first));
-    m_edit.axis = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).axis
-                                                         : std::get<Set_extrema>(first).axis;
-    m_edit.boundary = std::holds_alternative<Suggest>(first) ? std::get<Suggest>(first).boundary
-                                                             : std::get<Set_extrema>(first).boundary;
-    if (const auto* suggested = std::get_if<Suggest>(&first))
+    const auto remember = [&](const auto& edit) {
+      m_edit.collapse_thin = edit.collapse_thin;
+      m_edit.axis = edit.axis;
+      m_edit.boundary = edit.boundary;
+    };
+    if (const auto* suggested = std::get_if<Suggest>(&first)) {
+      remember(*suggested);
       if (Result<void> begun = begin(*suggested); !begun) return begun.error();
-    remember_extrema();
+    } else {
+      remember(std::get<Set_extrema>(first));
+    }
+    for (const Design_extremum& e : m_best.design.extrema)
+      m_edit.extrema.push_back({{m_surface.points[e.vertex], e.vertex}, e.is_maximum, e.value});
     for (bool again = true; again && tries_left();) {
       again = false;
       for (const auto step : {&Search::add, &Search::change_signs, &Search::remove}) {
@@ -97,12 +100,6 @@ private:
     double energy = 0;
     std::vector<Far_sample> far;
   };
-
-  void remember_extrema() {
-    m_edit.extrema.clear();
-    for (const Design_extremum& e : m_best.design.extrema)
-      m_edit.extrema.push_back({{m_surface.points[e.vertex], e.vertex}, e.is_maximum, e.value});
-  }
 
   // Single changes do not lead from one suggestion to another: the search begins with the best of some.
   Result<void> begin(const Suggest& suggested) {

@@ -96,5 +96,11 @@ Segments segments_of(const std::vector<Point>& polyline) {
   return segments;
 }
 
+bool is_free_loop(const Contour_network& network, int edge) {
+  const Contour_edge& e = network.edges[std::size_t(edge)];
+  return !network.is_removed(e) && e.from == e.to &&
+         network.nodes[std::size_t(e.from)].kind == Node_kind::regular;
+}
+
 } // namespace Reeb_quadrangulation
 } // namespace CGAL

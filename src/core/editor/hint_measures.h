@@ -35,6 +35,9 @@ std::vector<Point> contour_points(const Triangle_surface& surface, const Contour
 
 Segments segments_of(const std::vector<Point>& polyline);
 
+/// Whether a contour edge is there and is a loop without saddles.
+bool is_free_loop(const Contour_network& network, int edge);
+
 } // namespace Reeb_quadrangulation
 } // namespace CGAL
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/lost_features.h"
 
+#include "base/equal_points.h"
 #include "editor/hint_measures.h"
 
 #include <algorithm>
@@ -10,35 +11,23 @@
 namespace CGAL {
 namespace Reeb_quadrangulation {
 
-namespace {
-
-// Numbers of equal points.
-class Numbers {
-public:
-  int of(const Point& p) {
-    return m_numbers.try_emplace({p.x(), p.y(), p.z()}, int(m_numbers.size())).first->second;
-  }
-
-private:
-  std::map<std::array<double, 3>, int> m_numbers;
-};
-
-} // namespace
-
 std::vector<Lost_line> lost_lines(const Deviation& deviation) {
   const auto& edges = deviation.lost_sharp_edges;
-  Numbers numbers;
-  std::vector<std::array<int, 2>> ends;
-  for (const auto& [a, b] : edges) ends.push_back({numbers.of(a), numbers.of(b)});
-  std::vector<int> piece(2 * edges.size());
+  std::vector<Point> ends; // two of each edge
+  for (const auto& [a, b] : edges) ends.insert(ends.end(), {a, b});
+  const std::vector<int> same = first_equal_points(ends);
+  std::vector<int> piece(ends.size());
   std::iota(piece.begin(), piece.end(), 0);
   const auto root = [&](int v) {
     while (piece[std::size_t(v)] != v) v = piece[std::size_t(v)] = piece[std::size_t(piece[std::size_t(v)])];
     return v;
   };
-  for (const auto& [a, b] : ends) piece[std::size_t(std::max(root(a), root(b)))] = std::min(root(a), root(b));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const int a = root(same[2 * i]), b = root(same[2 * i + 1]);
+    piece[std::size_t(std::max(a, b))] = std::min(a, b);
+  }
   std::map<int, std::vector<std::size_t>> members;
-  for (std::size_t i = 0; i < edges.size(); ++i) members[root(ends[i][0])].push_back(i);
+  for (std::size_t i = 0; i < edges.size(); ++i) members[root(same[2 * i])].push_back(i);
   std::vector<Lost_line> lines;
   for (const auto& [first, all] : members) {
     Lost_line line;

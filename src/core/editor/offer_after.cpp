@@ -140,7 +140,7 @@ private:
       offer(by_contour, "Cut the contour into the surface instead", edit.at.point);
     }
     add_smaller_tilts(edit, plane_of(edit.anchors.size() == 2 ? part_of(points, edit) : points),
-                      is_free(m_design.network.edges[std::size_t(e)]) && edit.anchors.empty());
+                      is_free_loop(m_design.network, e) && edit.anchors.empty());
     if (edit.enforcement == Enforcement::field) return;
     Move_contour other = edit;
     other.anchors.clear();
@@ -183,10 +183,6 @@ private:
     std::vector<Point> rest(contour.begin() + last, contour.end());
     rest.insert(rest.end(), contour.begin(), contour.begin() + first + 1);
     return rest;
-  }
-
-  bool is_free(const Contour_edge& edge) const {
-    return edge.from == edge.to && m_design.network.nodes[std::size_t(edge.from)].kind == Node_kind::regular;
   }
 
   // As a draft finds it.

@@ -152,14 +152,11 @@ private:
     const Contour_network& network = m_design.network;
     if (features().empty()) return;
     for (std::size_t e = 0; e < network.edges.size(); ++e) {
-      const Contour_edge& edge = network.edges[e];
-      if (network.is_removed(edge) || edge.from != edge.to ||
-          network.nodes[edge.from].kind != Node_kind::regular)
-        continue;
+      if (!is_free_loop(network, int(e))) continue;
       const double distance = distance_to_features(network, int(e));
       if (distance <= m_options.snap && distance > 1e-6)
-        m_candidates.push_back(
-            {Hint_kind::sharp_edge, distance, network.position(m_surface, edge.vertices[0]), int(e)});
+        m_candidates.push_back({Hint_kind::sharp_edge, distance,
+                                network.position(m_surface, network.edges[e].vertices[0]), int(e)});
     }
   }
 
@@ -339,10 +336,7 @@ private:
     const Contour_network& network = m_design.network;
     std::optional<Point> nearest;
     for (std::size_t e = 0; e < network.edges.size(); ++e) {
-      const Contour_edge& edge = network.edges[e];
-      if (network.is_removed(edge) || edge.from != edge.to ||
-          network.nodes[std::size_t(edge.from)].kind != Node_kind::regular)
-        continue;
+      if (!is_free_loop(network, int(e))) continue;
       for (const Point& q : contour_points(m_surface, network, int(e)))
         if ((q - p).norm() < (nearest ? (*nearest - p).norm() : 4 * m_h)) nearest = q;
     }

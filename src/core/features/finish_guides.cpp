@@ -3,6 +3,7 @@
 
 #include "base/segment_tree.h"
 #include "features/feature_lines.h"
+#include "relax/mesh_quality.h"
 #include "relax/relax_state.h"
 
 #include <algorithm>
@@ -271,15 +272,10 @@ private:
       on.mesh.points[v] = m_projector.closest_nearby(p, m_projector.closest(p).face).point;
     }
     Relax_report& report = on.relaxation;
-    report.worst_after = 1;
-    report.mean_after = 0;
-    report.inverted_after = 0;
-    for (const Quad& q : on.mesh.quads) {
-      const double shape = jacobian_of(on.mesh, q);
-      report.worst_after = std::min(report.worst_after, shape);
-      report.mean_after += shape / double(on.mesh.quads.size());
-      report.inverted_after += shape <= 0;
-    }
+    const relaxation::Mesh_quality quality = relaxation::mesh_quality(on.mesh);
+    report.worst_after = quality.worst;
+    report.mean_after = quality.mean;
+    report.inverted_after = quality.inverted;
     report.intersections_after = int(relaxation::intersecting_quads(on.mesh).size());
   }
 

@@ -115,20 +115,20 @@ private:
       if (*found && (!best || (*found)->worth() > best->worth())) best = std::move(**found);
       if (best && best->refused == 0 && !all[i].lines.first) break; // what follows keeps less
     }
-    if (best) return settled(std::move(best->quads), std::move(best->onto));
+    if (best) return settled(std::move(best->quads), std::move(best->onto), best->kept);
     Vertex_constraints onto = designed(plain.mesh);
-    return settled(std::move(plain), std::move(onto));
+    const double part = kept(plain.mesh);
+    return settled(std::move(plain), std::move(onto), part);
   }
 
   // The other sweeps, with what lies on features sliding along them. They may hardly cost any of these.
-  Result<Finished_quads> settled(Finished_quads quads, Vertex_constraints onto) const {
+  Result<Finished_quads> settled(Finished_quads quads, Vertex_constraints onto, double before) const {
     if (m_relaxation.iterations <= sweeps_onto_features) return quads;
     Finished_quads after = quads;
     onto.fixed.resize(quads.mesh.points.size(), 0);
     for (int v : quads.relaxation.off_surface) onto.fixed[std::size_t(v)] = 1;
     if (Result<void> relaxed = relax(after, onto, gentle(quads.relaxation)); !relaxed) return relaxed.error();
     turn_to_features(after.mesh, onto);
-    const double before = kept(quads.mesh);
     const double loss = worth(before, quads.relaxation) - worth(kept(after.mesh), after.relaxation);
     if (is_worse(after.relaxation, quads.relaxation) ||
         loss > (m_is_given ? 0 : loss_of_settling * (1 - before)))
