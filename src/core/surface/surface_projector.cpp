@@ -15,6 +15,7 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 namespace CGAL {
 namespace Reeb_quadrangulation {
@@ -24,23 +25,23 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 constexpr int faces_per_packet = 8;
 
-// A leaf of the tree: faces [8 id, 8 id + 8) of the Morton order. The tree asks no geometry of it: the boxes
-// come from the builder below, and queries read the triangles through the surface's own arrays.
-struct Packet {
+// A primitive of the tree: the bounding box of faces [8 id, 8 id + 8) of the Morton order.
+class Packet {
+public:
   using Id = int;
   using Point = Kernel::Point_3;
-  using Datum = Kernel::Point_3;
-  Packet() = default;
-  explicit Packet(int i) : m_id(i) {}
+  using Datum = CGAL::Bbox_3;
+  using Datum_reference = const Datum&;
+
+  Packet(int id, const CGAL::Bbox_3& box) : m_box(box), m_id(id) {}
   Id id() const { return m_id; }
-  Datum datum() const { return Datum(0, 0, 0); }
-  Point reference_point() const { return Point(0, 0, 0); }
+  Datum_reference datum() const { return m_box; }
+  Point reference_point() const { return Point(m_box.xmin(), m_box.ymin(), m_box.zmin()); }
 
 private:
-  int m_id = 0;
+  CGAL::Bbox_3 m_box;
+  int m_id;
 };
-
-using Tree = CGAL::AABB_tree<internal::Aabb_traits<Kernel, Packet>>;
 
 // Where on a triangle a closest point lies: on edge i from corner i, at corner i, or inside.
 enum Region { on_edge = 0, at_corner = 3, inside = 6, not_better = 7 };
@@ -81,22 +82,37 @@ std::uint32_t spread_bits(std::uint32_t x) { // ten bits, two zeros after each
   return (x | (x << 2)) & 0x09249249;
 }
 
-// Faces along a Morton curve of 1024^3 cells, ties by index: three passes of a stable counting sort.
-std::vector<int> morton_order(const Triangle_surface& s) {
-  Point low = Point::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (const Point& p : s.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+// The place of three points' centre on a Morton curve of 1024^3 cells over a box.
+class Morton_curve {
+public:
+  explicit Morton_curve(const std::vector<Point>& points) {
+    Point high = -m_low;
+    for (const Point& p : points) {
+      m_low = m_low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const double extent = (high - m_low).maxCoeff();
+    m_scale = extent > 0 ? 1023 / (3 * extent) : 0;
   }
-  const double extent = (high - low).maxCoeff(), scale = extent > 0 ? 1023 / (3 * extent) : 0;
+  std::uint32_t place(const Point& three_times_centre) const {
+    const Point cell = ((three_times_centre - 3 * m_low) * m_scale).cwiseMax(0).cwiseMin(1023);
+    return spread_bits(std::uint32_t(cell.x())) | spread_bits(std::uint32_t(cell.y())) << 1 |
+           spread_bits(std::uint32_t(cell.z())) << 2;
+  }
+
+private:
+  Point m_low = Point::Constant(std::numeric_limits<double>::max());
+  double m_scale = 0;
+};
+
+// Faces, each with its place, along the curve, ties by index: three passes of a stable counting sort.
+std::vector<std::pair<std::uint32_t, int>> morton_order(const Triangle_surface& s,
+                                                        const Morton_curve& curve) {
   const int nf = s.number_of_faces();
   std::vector<std::pair<std::uint32_t, int>> keys(nf), sorted(nf);
   for (int f = 0; f < nf; ++f) {
     const Triangle& t = s.triangles[f];
-    const Point c = (s.points[t[0]] + s.points[t[1]] + s.points[t[2]] - 3 * low) * scale;
-    keys[f] = {spread_bits(std::uint32_t(c.x())) | spread_bits(std::uint32_t(c.y())) << 1 |
-                   spread_bits(std::uint32_t(c.z())) << 2,
-               f};
+    keys[f] = {curve.place(s.points[t[0]] + s.points[t[1]] + s.points[t[2]]), f};
   }
   for (int shift = 0; shift < 30; shift += 10) {
     std::vector<int> start(1025, 0);
@@ -105,9 +121,7 @@ std::vector<int> morton_order(const Triangle_surface& s) {
     for (const auto& k : keys) sorted[start[k.first >> shift & 1023]++] = k;
     keys.swap(sorted);
   }
-  std::vector<int> order(nf);
-  for (int f = 0; f < nf; ++f) order[f] = keys[f].second;
-  return order;
+  return keys;
 }
 
 double squared_distance(const Point& p, const CGAL::Bbox_3& b) {
@@ -174,10 +188,8 @@ struct Search {
     }
   }
 
-  // The interface that AABB_tree::traversal() expects.
-  bool go_further() const { return true; }
-  template <class Primitive> void intersection(const Point&, const Primitive& packet) {
-    const int first = faces_per_packet * packet.id();
+  void visit_packet(int packet) {
+    const int first = faces_per_packet * packet;
     const int beyond = std::min(first + faces_per_packet, int(order.size()));
     for (int i = first; i < beyond; ++i) {
       const Triangle& t = surface.triangles[order[i]];
@@ -186,15 +198,39 @@ struct Search {
       if (outside.cwiseMax(0.0).squaredNorm() < best.squared_distance) visit(order[i]);
     }
   }
-  template <class Node> bool do_intersect(const Point&, const Node& node) const {
-    return squared_distance(query, node.bbox()) < best.squared_distance;
-  }
-  using Priority = double;
-  template <class Node>
-  std::pair<bool, double> do_intersect_with_priority(const Point&, const Node& node) const {
-    const double d = squared_distance(query, node.bbox());
-    return {d < best.squared_distance, -d};
-  }
+};
+
+// What the tree is asked: which boxes meet the open ball around the query through the best answer so far.
+// Each packet that does may shrink the ball, and none of them ends the search.
+struct Shrinking_ball {
+  Search* search;
+};
+
+// CGAL's traits of an AABB tree, with the functors that this query and the order of the packets change.
+struct Packet_traits : internal::Aabb_traits<Kernel, Packet> {
+  struct Compute_bbox {
+    template <class Iterator> CGAL::Bbox_3 operator()(Iterator first, Iterator beyond) const {
+      CGAL::Bbox_3 box;
+      for (; first != beyond; ++first) box += first->datum();
+      return box;
+    }
+  };
+  // Halves of a run of packets are runs: along the curve, half of a range lies together.
+  struct Split_primitives {
+    template <class Iterator> void operator()(Iterator, Iterator, const CGAL::Bbox_3&) const {}
+  };
+  struct Do_intersect {
+    bool operator()(const Shrinking_ball& ball, const CGAL::Bbox_3& box) const {
+      return squared_distance(ball.search->query, box) < ball.search->best.squared_distance;
+    }
+    bool operator()(const Shrinking_ball& ball, const Packet& packet) const {
+      if ((*this)(ball, packet.datum())) ball.search->visit_packet(packet.id());
+      return false;
+    }
+  };
+  Compute_bbox compute_bbox_object() const { return {}; }
+  Split_primitives split_primitives_object() const { return {}; }
+  Do_intersect do_intersect_object() const { return {}; }
 };
 
 } // namespace
@@ -204,10 +240,12 @@ struct Surface_projector::Implementation {
   Point centre = Point::Zero();
   double reach = 0;
   std::once_flag built;
+  Morton_curve curve;
   std::vector<int> order;
-  Tree tree;
+  std::vector<std::uint32_t> places; // of each packet's first face on the curve
+  CGAL::AABB_tree<Packet_traits> tree;
 
-  explicit Implementation(const Triangle_surface& s) : surface(s) {
+  explicit Implementation(const Triangle_surface& s) : surface(s), curve(s.points) {
     Point low = Point::Constant(std::numeric_limits<double>::max()), high = -low;
     for (const Point& p : s.points) {
       low = low.cwiseMin(p);
@@ -229,21 +267,28 @@ struct Surface_projector::Implementation {
   }
 
   void build() {
-    order = morton_order(surface);
-    const int packets = (int(order.size()) + faces_per_packet - 1) / faces_per_packet;
-    std::vector<CGAL::Bbox_3> boxes(packets);
-    for (int i = 0; i < int(order.size()); ++i)
-      for (int v : surface.triangles[order[i]]) {
-        const Point& p = surface.points[v];
-        boxes[i / faces_per_packet] += CGAL::Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+    std::vector<CGAL::Bbox_3> boxes;
+    for (const auto& [place, face] : morton_order(surface, curve)) {
+      if (order.size() % faces_per_packet == 0) {
+        places.push_back(place);
+        boxes.emplace_back();
       }
-    for (int i = 0; i < packets; ++i) tree.insert(Packet(i));
-    const auto box_of_range = [&](auto first, auto beyond) {
-      CGAL::Bbox_3 box;
-      for (; first != beyond; ++first) box += boxes[first->id()];
-      return box;
-    };
-    tree.custom_build(box_of_range, [](auto, auto, const CGAL::Bbox_3&) {}); // the Morton order is the split
+      order.push_back(face);
+      for (int v : surface.triangles[face]) {
+        const Point& p = surface.points[v];
+        boxes.back() += CGAL::Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+      }
+    }
+    for (int i = 0; i < int(boxes.size()); ++i) tree.insert(Packet(i, boxes[i]));
+    tree.build();
+  }
+
+  // Before the tree is asked, a ball about as large as the answer: the packets at the query's own place.
+  void begin(Search& search) const {
+    const auto after = std::upper_bound(places.begin(), places.end(), curve.place(3 * search.query));
+    const int packet = std::max(0, int(after - places.begin()) - 1);
+    search.visit_packet(packet);
+    if (packet + 1 < int(places.size())) search.visit_packet(packet + 1);
   }
 
   Closest_point search(const Point& query, const Point* normal, double min_cosine, int hint_face,
@@ -251,11 +296,11 @@ struct Surface_projector::Implementation {
     std::call_once(built, [this] { build(); });
     Search search{surface, order, pulled_in(query), normal, min_cosine};
     search.best.squared_distance = maximum_distance * maximum_distance;
-    if (hint_face >= 0) search.walk(hint_face);
-    if (std::isfinite(search.best.squared_distance))
-      tree.traversal(search.query, search);
+    if (hint_face >= 0)
+      search.walk(hint_face);
     else
-      tree.traversal_with_priority(search.query, search);
+      begin(search);
+    tree.do_intersect(Shrinking_ball{&search});
     // On a surface whose own squares overflow no distance is less than infinite: any face is as good as
     // another.
     if (search.best.face < 0 && !normal) search.best = {surface.points[surface.triangles[0][0]], 0, 0};
