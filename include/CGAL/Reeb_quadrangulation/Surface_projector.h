@@ -19,10 +19,10 @@ struct Closest_point {
 
 /// Answers closest-point queries on a triangle surface.
 ///
-/// Runs of eight triangles, consecutive on a Morton curve, are the primitives of a `CGAL::AABB_tree`: an eighth
-/// of the nodes of the usual tree and no sorting while it is built. The tree is built by the first query, or
-/// by `build()`. Queries are const and may run in several threads at once; an answer depends on the arguments
-/// alone.
+/// Runs of eight triangles, consecutive on a Morton curve, are the primitives of a `CGAL::AABB_tree`: an
+/// eighth of the nodes of the usual tree and no sorting while it is built. The tree is built by the first
+/// query, or by `build()`. Queries are const and may run in several threads at once; an answer depends on the
+/// arguments alone.
 ///
 /// The projector refers to the surface, which must outlive it and must not change. \pre the surface has a
 /// face.
@@ -35,7 +35,7 @@ public:
 
   const Triangle_surface& surface() const;
 
-  /// Builds the tree now: O(F log F), 25 bytes a triangle.
+  /// Builds the tree now: O(F log F), 20 bytes a triangle.
   void build() const;
 
   /// The closest point of the surface, in O(log F).
