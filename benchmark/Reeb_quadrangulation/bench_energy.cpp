@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the energy that a search predicts for a design orders designs as their finished quads would: makes
 // the quads of every design that the search tries and prints Spearman's rank correlation of the energy and of
-// what is measured of the quads, one JSON line a model, then the mean over all. Usage: bench_energy [-n
-// TRIES] [-q QUADS] FILE...
-//   judged = mean of the squared distance of the surface from the quads, in squared mean edges, and half of 1
-//   less the mean scaled Jacobian, and the price of the extraordinary vertices
+// the same energy of the finished quads, of the whole and of each part; one JSON line a model, then the mean
+// over the models and the correlation over all designs. Usage: bench_energy [-n TRIES] [-q QUADS] [-d TABLE]
+// FILE...
+//   -d TABLE: also writes the parts of each design, predicted and judged, separated by tabs
 #include "bench_tools.h"
 
 #include <CGAL/Reeb_quadrangulation/deviation.h>
@@ -15,6 +15,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -25,11 +27,28 @@ namespace {
 
 struct Options {
   int tries = 40, quads = 3000;
+  std::string table;
   std::vector<std::string> models;
 };
 
+// What a design is said to be, and what its finished quads are.
 struct Pair {
-  double predicted = 0, judged = 0;
+  Design_energy predicted, judged;
+};
+
+// A number that both sides have.
+struct Part {
+  const char* name;
+  double (*of)(const Design_energy&);
+};
+
+const Part parts[] = {
+    {"total", [](const Design_energy& e) { return e.total(Energy_weights()); }},
+    {"shape", [](const Design_energy& e) { return e.shape; }},
+    {"farthest", [](const Design_energy& e) { return e.farthest; }},
+    {"angle", [](const Design_energy& e) { return e.angle; }},
+    {"size", [](const Design_energy& e) { return e.size; }},
+    {"extraordinary", [](const Design_energy& e) { return double(e.extraordinary); }},
 };
 
 // Equal values share the mean of their ranks.
@@ -46,15 +65,15 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }
 
 // Spearman's; nothing where one side is constant.
-std::optional<double> rank_correlation(const std::vector<Pair>& pairs) {
+std::optional<double> rank_correlation(const std::vector<Pair>& pairs, const Part& part) {
   std::vector<double> x, y;
   for (const Pair& p : pairs) {
-    x.push_back(p.predicted);
-    y.push_back(p.judged);
+    x.push_back(part.of(p.predicted));
+    y.push_back(part.of(p.judged));
   }
   x = ranks(x);
   y = ranks(y);
-  const double mean = 0.5 * double(pairs.size() - 1);
+  const double mean = 0.5 * double(pairs.size()) - 0.5;
   double xx = 0, yy = 0, xy = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     xx += (x[i] - mean) * (x[i] - mean);
@@ -65,17 +84,40 @@ std::optional<double> rank_correlation(const std::vector<Pair>& pairs) {
   return xy / std::sqrt(xx * yy);
 }
 
-Result<double> judged(const Quad_mesh& quads, const Triangle_surface& surface) {
+Json correlations(const std::vector<Pair>& pairs) {
+  Json line;
+  for (const Part& part : parts)
+    if (const std::optional<double> c = rank_correlation(pairs, part)) line[part.name] = *c;
+  return line;
+}
+
+double variance_of_logarithms(const Quad_mesh& mesh) {
+  double sum = 0, squares = 0;
+  for (const Quad& q : mesh.quads) {
+    const Point d = mesh.points[q[2]] - mesh.points[q[0]], e = mesh.points[q[3]] - mesh.points[q[1]];
+    const double x = std::log(std::max(0.5 * d.cross(e).norm(), 1e-300));
+    sum += x;
+    squares += x * x;
+  }
+  const double n = double(mesh.quads.size());
+  return squares / n - (sum / n) * (sum / n);
+}
+
+// The energy of quads as they are, measured independently of the search's samples.
+Result<Design_energy> judged(const Quad_mesh& quads, const Triangle_surface& surface) {
   const Result<Deviation> deviation = measure_deviation(quads, surface);
   if (!deviation) return deviation.error();
-  double squares = 0;
-  for (double d : deviation->of_surface) squares += d * d;
-  squares /= double(deviation->of_surface.size());
+  const double edge = std::sqrt(area(surface) / double(quads.quads.size()));
+  Design_energy energy;
+  for (double d : deviation->of_surface) {
+    energy.shape += d * d / (edge * edge * double(deviation->of_surface.size()));
+    energy.farthest = std::max(energy.farthest, d / edge);
+  }
   const Mesh_statistics statistics = quad_statistics(quads);
-  const Energy_weights weights;
-  const double edge = statistics.edge_length.mean;
-  return weights.shape * squares / (edge * edge) + weights.angle * (1 - statistics.scaled_jacobian.mean) +
-         weights.vertices * statistics.extraordinary_vertices;
+  energy.angle = 1 - statistics.scaled_jacobian.mean;
+  energy.size = variance_of_logarithms(quads);
+  energy.extraordinary = statistics.extraordinary_vertices;
+  return energy;
 }
 
 // The designs that a search tries, each with its finished quads.
@@ -85,12 +127,10 @@ Result<std::vector<Pair>> pairs_of(const Triangle_surface& surface, const Option
   session.threads = 1;
   Result<Editor> editor = Editor::create(surface, session);
   if (!editor) return editor.error();
-  std::vector<std::pair<Edit, double>> designs;
+  std::vector<std::pair<Edit, Design_energy>> designs;
   Search_options search;
   search.tries = options.tries;
-  search.tried = [&](const Edit& edit, const Design_energy& energy) {
-    designs.emplace_back(edit, energy.total(search.weights));
-  };
+  search.tried = [&](const Edit& edit, const Design_energy& energy) { designs.emplace_back(edit, energy); };
   if (const Result<Searched_extrema> found = search_extrema(*editor, Suggest{}, search); !found)
     return found.error();
   std::vector<Pair> pairs;
@@ -101,7 +141,7 @@ Result<std::vector<Pair>> pairs_of(const Triangle_surface& surface, const Option
     const Result<Finished_design> finished = editor->finished_quads();
     editor->undo();
     if (!finished) continue;
-    const Result<double> quality = judged(finished->quads.mesh, editor->input());
+    const Result<Design_energy> quality = judged(finished->quads.mesh, editor->input());
     if (!quality) return quality.error();
     pairs.push_back({energy, *quality});
   }
@@ -116,18 +156,44 @@ Options read(int argc, char** argv) {
       options.tries = std::max(2, std::atoi(argv[++i]));
     else if (word == "-q" && i + 1 < argc)
       options.quads = std::max(1, std::atoi(argv[++i]));
+    else if (word == "-d" && i + 1 < argc)
+      options.table = argv[++i];
     else
       options.models.push_back(word);
   }
   return options;
 }
 
+void write(std::ostream& table, const std::string& model, const std::vector<Pair>& pairs) {
+  for (const Pair& pair : pairs) {
+    table << model;
+    for (const Design_energy* e : {&pair.predicted, &pair.judged})
+      for (const Part& part : parts) table << '\t' << part.of(*e);
+    table << '\n';
+  }
+}
+
+void write_means(std::map<std::string, std::vector<double>>& found, const std::vector<Pair>& all) {
+  Json line{{"model", "mean"}};
+  for (const auto& [part, values] : found)
+    line["rank_correlation"][part] =
+        std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  std::cout << line.dump() << std::endl;
+  std::cout << Json{{"model", "all designs"},
+                    {"designs", all.size()},
+                    {"rank_correlation", correlations(all)}}
+                   .dump()
+            << std::endl;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
   const Options options = read(argc, argv);
-  double sum = 0;
-  int models = 0;
+  std::map<std::string, std::vector<double>> found;
+  std::vector<Pair> all;
+  std::ofstream table;
+  if (!options.table.empty()) table.open(options.table);
   for (const std::string& model : options.models) {
     Json line{{"model", std::filesystem::path(model).filename().string()}};
     Result<Triangle_surface> surface = largest_component(model);
@@ -136,15 +202,13 @@ int main(int argc, char** argv) {
       line["error"] = pairs.error().message;
     } else {
       line["designs"] = pairs->size();
-      if (const std::optional<double> correlation = rank_correlation(*pairs)) {
-        line["rank_correlation"] = *correlation;
-        sum += *correlation;
-        ++models;
-      }
+      line["rank_correlation"] = correlations(*pairs);
+      for (const auto& [part, value] : line["rank_correlation"].items()) found[part].push_back(value);
+      all.insert(all.end(), pairs->begin(), pairs->end());
+      if (table.is_open()) write(table, line["model"], *pairs);
     }
     std::cout << line.dump() << std::endl;
   }
-  if (models > 0)
-    std::cout << Json{{"model", "mean"}, {"rank_correlation", sum / models}}.dump() << std::endl;
+  write_means(found, all);
   return 0;
 }
